@@ -66,15 +66,6 @@ static void record_accesses(struct segments *s, const struct pack_item *item,
     }
 }
 
-/* Adds the last accesses of all segments that a resource's memory covers to `all`. */
-static void merge_owners(const struct segments *s, const struct pack_item *item,
-                         struct previous_owner *all)
-{
-    for (uint32_t i = find(s, item->offset);
-         i < s->count && s->items[i].begin < item->offset + item->size; i++)
-        add(all, &s->items[i].pending);
-}
-
 static struct previous_owner *owner_of(const struct compiler *c, const struct pack_item *item)
 {
     return &c->owners[item->resource->item];
@@ -111,8 +102,11 @@ static void find_owners(struct compiler *c, struct segments *s, const struct pac
         if (!covers(&common, owner_of(c, item)))
             record_accesses(s, item, owner_of(c, item));
     }
-    for (const struct pack_item *item = items; item < end; item++)
-        merge_owners(s, item, owner_of(c, item));
+    for (const struct pack_item *item = items; item < end; item++) {
+        for (uint32_t i = find(s, item->offset);
+             i < s->count && s->items[i].begin < item->offset + item->size; i++)
+            add(owner_of(c, item), &s->items[i].pending);
+    }
 }
 
 void rg_complete_alias_barriers(struct compiler *c)

@@ -204,15 +204,6 @@ static void check_uniform(const struct shaders *s, const struct spirv *stage,
                       (unsigned long long)size);
 }
 
-/* Returns the length of the descriptor array that begins at `first`; 1 for a single use. */
-static uint32_t element_count(const struct rg_use *first)
-{
-    uint32_t count = 1;
-    while (rg_is_use(&first[count]) && first[count].element == count)
-        count++;
-    return count;
-}
-
 /* Returns the loads and stores of a storage binding by all shaders of the row. */
 static uint32_t access_of(const struct shaders *s, uint32_t binding)
 {
@@ -266,7 +257,9 @@ static void check_elements(const struct shaders *s, uint32_t i, const struct spi
                            const struct rg_use *first)
 {
     const uint32_t count = v->descriptor_count;
-    const uint32_t given = element_count(first);
+    uint32_t given = 1; /* length of the descriptor array that begins at `first` */
+    while (rg_is_use(&first[given]) && first[given].element == given)
+        given++;
     if (count && count != given)
         binding_fault(s, v, ": %u descriptors in '%s', %u in the row (rg_use.element)", count,
                       shader_of(s->stages[i]), given);

@@ -107,7 +107,8 @@ struct access {
 
 struct pass {
     uint32_t first_access, access_count;
-    bool alive; /* not culled */
+    uint32_t first_dropped, dropped_count; /* accesses of unneeded targets, from first_access on */
+    bool alive;                            /* not culled */
     enum rg_queue queue;
 };
 

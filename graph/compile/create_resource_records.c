@@ -194,14 +194,6 @@ static VkDeviceSize buffer_size(const struct rg_compile_params *params,
     return size;
 }
 
-static void size_buffer(struct resource *r, const struct rg_buffer *buffer,
-                        const struct compiler *c)
-{
-    r->size = buffer_size(c->params, buffer, c->params->view);
-    r->max_size = buffer_size(c->params, buffer, c->max_view);
-    r->persistent = buffer->persistent;
-}
-
 /* Applies the actual size of an import, which may differ from its declaration. */
 static void size_import(struct resource *r, const struct rg_import *import)
 {
@@ -268,10 +260,13 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
     r->image = image;
     r->buffer = image ? NULL : buffer;
     r->import = import ? (uint32_t)(import - c->params->imports) : RG_NONE;
-    if (image)
+    if (image) {
         size_image(r, image, c);
-    else
-        size_buffer(r, buffer, c);
+    } else {
+        r->size = buffer_size(c->params, buffer, c->params->view);
+        r->max_size = buffer_size(c->params, buffer, c->max_view);
+        r->persistent = buffer->persistent;
+    }
     if (import)
         size_import(r, import);
     r->shared = !import && !r->persistent && (image || buffer->memory == RG_MEMORY_DEVICE);

@@ -1,4 +1,6 @@
-/* cull_passes.c: removes passes whose results no output needs, by backward liveness analysis. */
+/* cull_passes.c: removes passes and trailing colour targets whose results no output needs, by
+ * backward liveness analysis. */
+#include <string.h>
 #include "graph/compile/compiler.h"
 
 enum {
@@ -54,6 +56,25 @@ static void mark_needed_content(const struct access *first, const struct access 
     }
 }
 
+/* Finds the trailing colour targets of a pass whose results nothing needs, with their resolves. The
+ * first target is kept, so that the pass keeps its number of samples, and earlier targets are kept,
+ * so that the locations of the others do not change. Rows without a fragment shader keep all,
+ * because they bind pipelines of the program for the declared targets. */
+static void find_dropped(struct pass *pass, const struct rg_pass *row, const struct access *first)
+{
+    uint32_t end = 0;
+    while (row->frag && end < pass->access_count &&
+           (first[end].kind == RG_COLOR || first[end].kind == RG_RESOLVE))
+        end++;
+    uint32_t keep = end;
+    while (keep > 1 && !(first[keep - 1].flags & ACCESS_NEEDED))
+        keep--;
+    if (keep < end && first[keep].kind == RG_RESOLVE) /* of a target that is kept */
+        keep++;
+    pass->first_dropped = keep;
+    pass->dropped_count = end - keep;
+}
+
 static void cull_round(struct compiler *c)
 {
     for (uint32_t p = c->pass_count; p-- > 0;) {
@@ -61,8 +82,11 @@ static void cull_round(struct compiler *c)
         struct access *first = &c->accesses[pass->first_access];
         const struct access *end = first + pass->access_count;
         pass->alive = find_needed(first, end);
-        if (pass->alive)
-            mark_needed_content(first, end);
+        if (!pass->alive)
+            continue;
+        find_dropped(pass, c->plan_passes[p].pass, first);
+        mark_needed_content(first, first + pass->first_dropped);
+        mark_needed_content(first + pass->first_dropped + pass->dropped_count, end);
     }
 }
 
@@ -82,6 +106,15 @@ static bool needs_another_round(const struct compiler *c)
     return more;
 }
 
+/* Removes the accesses of the dropped targets. */
+static void remove_dropped(struct compiler *c, struct pass *pass)
+{
+    struct access *dropped = &c->accesses[pass->first_access + pass->first_dropped];
+    pass->access_count -= pass->dropped_count;
+    memmove(dropped, dropped + pass->dropped_count,
+            (pass->access_count - pass->first_dropped) * sizeof(*dropped));
+}
+
 /* Removes the culled passes, and lists them in the plan. */
 static void remove_culled(struct compiler *c)
 {
@@ -92,6 +125,8 @@ static void remove_culled(struct compiler *c)
         if (!c->passes[p].alive) {
             culled[plan->culled_count++] = (struct rg_culled){ pass->pass, pass->repetition };
         } else {
+            if (c->passes[p].dropped_count)
+                remove_dropped(c, &c->passes[p]);
             c->passes[plan->pass_count] = c->passes[p];
             c->plan_passes[plan->pass_count++] = *pass;
         }

@@ -223,12 +223,6 @@ static VkImageSubresourceRange use_range(const struct compiler *c, const struct 
     return out;
 }
 
-static bool is_whole(const struct rg_range *range)
-{
-    return !(range->aspect | range->mip | range->mip_count | range->layer | range->layer_count |
-             range->each);
-}
-
 static void add_use(struct compiler *c, const struct rg_use *use)
 {
     struct resource *r = rg_resource_of(c, use->image, use->buffer);
@@ -247,7 +241,8 @@ static void add_use(struct compiler *c, const struct rg_use *use)
         a->flags |= ACCESS_TEXELS;
     if ((a->flags & ACCESS_WRITES) && !(a->flags & ACCESS_READS) && !use->partial)
         a->flags |= ACCESS_OVERWRITES;
-    if (use->image && !is_whole(&use->range)) {
+    const struct rg_range *g = &use->range;
+    if (use->image && (g->aspect | g->mip | g->mip_count | g->layer | g->layer_count | g->each)) {
         a->range = use_range(c, r, &use->range);
         if (!find_cells(c, a))
             return;

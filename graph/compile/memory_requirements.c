@@ -261,17 +261,9 @@ static void list_image(struct compiler *c, struct resource *r)
     add_memory(c, r, &required);
 }
 
-/* Checks that a buffer with an acceleration structure is imported and has no other usage. */
-static void check_structure(struct compiler *c, const struct resource *r)
-{
-    const VkFlags structure = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR;
-    if (r->usage & structure && (r->import == RG_NONE || r->usage != structure))
-        rg_fault_of(c, RG_ERROR_ACCESS, r->name,
-                    "import the acceleration structure; its buffer holds nothing else");
-}
-
 static void list_buffer(struct compiler *c, struct resource *r)
 {
+    const VkFlags structure = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR;
     struct rg_plan_buffer *buffer = &c->buffers[r->plan_buffer];
     buffer->buffer = r->buffer;
     buffer->size = r->size;
@@ -284,7 +276,9 @@ static void list_buffer(struct compiler *c, struct resource *r)
     buffer->last = r->last;
     buffer->block = RG_NONE;
     buffer->max_size = r->max_size;
-    check_structure(c, r);
+    if (r->usage & structure && (r->import == RG_NONE || r->usage != structure))
+        rg_fault_of(c, RG_ERROR_ACCESS, r->name,
+                    "import the acceleration structure; its buffer holds nothing else");
     if (buffer->imported || r->buffer->memory != RG_MEMORY_DEVICE)
         return;
     struct rg_memory_requirements required = buffer_memory(c, buffer->size, buffer->usage);

@@ -7,9 +7,9 @@
 layout(set = 0, binding = ICE_DEPTH_FRONT) uniform sampler2D front;
 layout(set = 0, binding = ICE_DEPTH_BACK) uniform sampler2D back;
 
-layout(location = 0) out float layer_front; /* metres */
-layout(location = 1) out float layer_back;
-layout(location = 2) out float thickness;
+layout(location = 0) out float thickness; /* metres */
+layout(location = 1) out float layer_front;
+layout(location = 2) out float layer_back;
 
 /* Returns the ratio of distance along this pixel's primary ray to view-space depth. */
 float slant()

@@ -86,18 +86,44 @@ static void read_forward(struct hazard *h, uint32_t frame)
         h->ends[frame * h->cell_count + i] = h->cells[i].declared;
 }
 
+static bool is_use_wanted(const struct hazard *h, const struct hazard_use *use)
+{
+    uint32_t cell;
+    for (uint32_t i = 0;
+         use->gives_content && (cell = hazard_next_subresource(&h->resources[use->resource],
+                                                               &use->range, &i)) != RG_NONE;)
+        if (h->cells[cell].wanted)
+            return true;
+    return false;
+}
+
 static bool is_wanted(const struct hazard *h, const struct hazard_pass *pass)
 {
     for (uint32_t u = pass->first_use; u < pass->first_use + pass->use_count; u++) {
-        const struct hazard_use *use = &h->uses[u];
-        uint32_t cell;
-        for (uint32_t i = 0;
-             use->gives_content && (cell = hazard_next_subresource(&h->resources[use->resource],
-                                                                   &use->range, &i)) != RG_NONE;)
-            if (h->cells[cell].wanted)
-                return true;
+        if (is_use_wanted(h, &h->uses[u]))
+            return true;
     }
     return false;
+}
+
+static bool is_color(const struct hazard_pass *pass, const struct hazard_use *use)
+{
+    return use->target && use->target != &pass->pass->depth;
+}
+
+/* Marks the colour targets after the last one that is needed. The first is always kept, and rows
+ * without a fragment shader keep all. */
+static void mark_dropped(struct hazard *h, const struct hazard_pass *pass)
+{
+    const struct rg_target *end = pass->pass->color + 1;
+    for (uint32_t u = pass->first_use; u < pass->first_use + pass->use_count; u++) {
+        const struct hazard_use *use = &h->uses[u];
+        if (is_color(pass, use) && use->target >= end && is_use_wanted(h, use))
+            end = use->target + 1;
+    }
+    for (uint32_t u = pass->first_use; u < pass->first_use + pass->use_count; u++)
+        h->uses[u].dropped =
+            pass->pass->frag && is_color(pass, &h->uses[u]) && h->uses[u].target >= end;
 }
 
 /* Updates, in a backward analysis, which content is needed before a use. `surely` is true if the
@@ -106,8 +132,9 @@ static void want(struct hazard *h, const struct hazard_use *use, bool surely,
                  struct hazard_expected *expected)
 {
     uint32_t cell;
-    for (uint32_t i = 0; (cell = hazard_next_subresource(&h->resources[use->resource], &use->range,
-                                                         &i)) != RG_NONE;) {
+    for (uint32_t i = 0;
+         !use->dropped && (cell = hazard_next_subresource(&h->resources[use->resource], &use->range,
+                                                          &i)) != RG_NONE;) {
         struct hazard_subresource *c = &h->cells[cell];
         if (expected && use->keeps_content) /* a partial write may come first */
             expected->wanted = c->wanted && expected->content != HAZARD_UNDEFINED;
@@ -184,6 +211,7 @@ void hazard_expect_useful(struct hazard *h)
         for (uint32_t p = h->pass_count; p-- > 0;) {
             struct hazard_pass *pass = &h->passes[p];
             pass->useful |= is_wanted(h, pass);
+            mark_dropped(h, pass);
             for (uint32_t u = 0; pass->useful && u < pass->use_count; u++)
                 want(h, &h->uses[pass->first_use + u], !pass->condition, NULL);
         }

@@ -178,6 +178,8 @@ static void check_uses(struct hazard *h)
         const struct hazard_pass *pass = &h->passes[h->plan_passes[p]];
         for (uint32_t u = pass->first_use; u < pass->first_use + pass->use_count; u++) {
             struct hazard_resource *resource = &h->resources[h->uses[u].resource];
+            if (h->uses[u].dropped)
+                continue;
             if (resource->first == RG_NONE)
                 resource->first = p;
             resource->last = p;

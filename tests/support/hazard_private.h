@@ -118,6 +118,7 @@ struct hazard_use {
     const struct rg_target *target; /* or NULL and: */
     const struct rg_use *use;
     bool resolve;            /* true for the resolve attachment of the target */
+    bool dropped;            /* trailing target whose result nothing needs, not in the plan */
     uint32_t first_expected; /* first hazard_expected, one per subresource */
 };
 

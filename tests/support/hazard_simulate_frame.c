@@ -200,7 +200,7 @@ static void check_extent(struct hazard *h, const struct rg_plan_pass *pass,
     for (uint32_t u = declared->first_use; u < declared->first_use + declared->use_count; u++) {
         const struct hazard_use *use = &h->uses[u];
         const struct hazard_resource *resource = &h->resources[use->resource];
-        if (!use->target)
+        if (!use->target || use->dropped)
             continue;
         extent.width = resource->extent.width >> use->range.baseMipLevel;
         extent.height = resource->extent.height >> use->range.baseMipLevel;
@@ -222,29 +222,32 @@ static void run_pass(struct hazard *h, uint32_t index)
     const struct rg_plan_pass *pass = &h->plan->passes[index];
     const struct hazard_pass *declared = &h->passes[h->plan_passes[index]];
     check_extent(h, pass, declared);
-    uint32_t targets = 0, uses = 0, capacity = 0;
+    uint32_t targets = 0, uses = 0, capacity = 0, count = 0;
     struct action *actions =
         hazard_grow(NULL, &capacity, declared->use_count + 1, sizeof(*actions));
     for (uint32_t i = 0; i < declared->use_count; i++) {
         const struct hazard_use *use = &h->uses[declared->first_use + i];
-        actions[i] = (struct action){
+        if (use->dropped)
+            continue;
+        struct action *action = &actions[count++];
+        *action = (struct action){
             .use = use,
             .event = { .slot = h->slot, .stages = use->stages },
             .content = HAZARD_WRITTEN + h->frame * h->pass_count + h->plan_passes[index],
         };
         uses += use->use != NULL;
         if (use->target)
-            check_target(h, pass, &actions[i]);
+            check_target(h, pass, action);
         else
-            check_use(h, pass, &actions[i]);
+            check_use(h, pass, action);
         targets += use->target && !use->resolve;
     }
     if (targets != pass->color_count + (pass->depth.image != RG_NONE) || uses != pass->use_count)
         hazard_report(h, "'%s' has not the targets and uses of its row", pass->pass->name);
     bool runs = hazard_runs(h, declared, h->frame);
-    for (uint32_t i = 0; runs && i < declared->use_count; i++)
+    for (uint32_t i = 0; runs && i < count; i++)
         check_action(h, &actions[i]);
-    for (uint32_t i = 0; runs && i < declared->use_count; i++)
+    for (uint32_t i = 0; runs && i < count; i++)
         perform(h, &actions[i]);
     free(actions);
 }

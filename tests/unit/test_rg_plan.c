@@ -126,7 +126,7 @@ static void test_load_and_store(void **state)
 {
     (void)state;
     const struct rg_pass passes[] = {
-        DRAW("clear", .color = RG_TARGETS({ CLEARED(a) }, { CLEARED(b) }),
+        DRAW("clear", .color = RG_TARGETS({ CLEARED(b) }, { CLEARED(a) }),
              .depth = { CLEARED(depth) }),
         DRAW("keep", .color = RG_TARGETS({ &a }, { &c, RG_LOAD_DISCARD }), .depth = { &depth }),
         DRAW("test", .color = RG_TARGETS({ &a }), .depth = { &depth }, .depth_read_only = true,
@@ -134,8 +134,8 @@ static void test_load_and_store(void **state)
     };
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(a) });
     CHECK_PASSES(plan, "clear", "keep", "test");
-    check_ops(&plan->passes[0].color[0], LOAD(CLEAR), STORE(STORE));
-    check_ops(&plan->passes[0].color[1], LOAD(CLEAR), STORE(DONT_CARE));
+    check_ops(&plan->passes[0].color[0], LOAD(CLEAR), STORE(DONT_CARE));
+    check_ops(&plan->passes[0].color[1], LOAD(CLEAR), STORE(STORE));
     check_ops(&plan->passes[0].depth, LOAD(CLEAR), STORE(STORE));
     check_ops(&plan->passes[1].color[0], LOAD(LOAD), STORE(STORE));
     check_ops(&plan->passes[1].color[1], LOAD(DONT_CARE), STORE(STORE));
@@ -146,6 +146,28 @@ static void test_load_and_store(void **state)
     assert_int_equal(plan->passes[1].depth.layout,
                      VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
     assert_int_equal(plan->passes[2].depth.layout, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL);
+    rg_plan_destroy(plan);
+}
+
+static void test_unneeded_last_targets_are_dropped(void **state)
+{
+    (void)state;
+    const struct rg_pass passes[] = {
+        DRAW("clear", .color = RG_TARGETS({ CLEARED(a) }, { CLEARED(b) }, { CLEARED(c) })),
+        DRAW("keep", .color = RG_TARGETS({ &a }, { &c }, { &b })),
+        DRAW("sample", .color = RG_TARGETS({ &a }), SAMPLING(c)),
+    };
+    struct rg_plan *plan = small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(a) });
+    CHECK_PASSES(plan, "clear", "keep", "sample");
+    assert_int_equal(plan->passes[0].color_count, 3); /* b comes before c */
+    check_ops(&plan->passes[0].color[1], LOAD(CLEAR), STORE(DONT_CARE));
+    assert_int_equal(plan->passes[1].color_count, 2);
+    rg_plan_destroy(plan);
+    plan =
+        small_graph_compile(&(struct small_graph){ .passes = passes, .pass_count = 2, WANTS(a) });
+    assert_int_equal(plan->passes[0].color_count, 1);
+    assert_int_equal(plan->passes[1].color_count, 1);
+    assert_int_equal(plan->image_count, 1);
     rg_plan_destroy(plan);
 }
 
@@ -489,8 +511,8 @@ struct many {
     struct rg_use last_uses[MANY_USES + 1];
 };
 
-/* Each pass reads what the one before it wrote, and every other one writes a second image that
- * nobody wants; the last one reads MANY_USES images from all over the graph. */
+/* Each pass reads what the one before it wrote, and every other one writes another image first,
+ * which nobody wants; the last one reads MANY_USES images from all over the graph. */
 static void make_many(struct many *m)
 {
     uint32_t image = 0;
@@ -505,7 +527,7 @@ static void make_many(struct many *m)
         for (size_t k = 0; k < 1 + i % 2; k++)
             m->targets[i][k] = (struct rg_target){ CLEARED(m->images[image++]) };
         if (i > 0)
-            m->uses[i][0] = (struct rg_use){ TEXTURE(*m->passes[i - 1].color[0].image) };
+            m->uses[i][0] = (struct rg_use){ TEXTURE(*m->passes[i - 1].color[(i - 1) % 2].image) };
     }
     for (size_t i = 0; i < MANY_USES; i++)
         m->last_uses[i] = (struct rg_use){
@@ -524,7 +546,7 @@ static void test_arrays_of_any_length(void **state)
     assert_non_null(m);
     make_many(m);
     struct rg_plan *plan = small_graph_compile(&(struct small_graph){
-        PASSES(m->passes), WANTS(*m->passes[MANY_PASSES - 1].color[0].image) });
+        PASSES(m->passes), WANTS(*m->passes[MANY_PASSES - 1].color[1].image) });
     assert_int_equal(plan->pass_count, MANY_PASSES);
     assert_int_equal(plan->image_count, MANY_IMAGES);
     assert_int_equal(plan->passes[MANY_PASSES - 1].use_count, MANY_USES);
@@ -575,6 +597,7 @@ int main(void)
         cmocka_unit_test(test_culling_of_repetitions),
         cmocka_unit_test(test_overwritten_content_is_not_wanted),
         cmocka_unit_test(test_load_and_store),
+        cmocka_unit_test(test_unneeded_last_targets_are_dropped),
         cmocka_unit_test(test_row_per_face),
         cmocka_unit_test(test_row_per_mip),
         cmocka_unit_test(test_row_per_mip_upwards),

@@ -23,11 +23,12 @@ const struct rg_image ice_depth_back = {
     .format = VK_FORMAT_D32_SFLOAT,
 };
 
-/* One image per layer, so that only the requested layers are read back. */
+/* One image per layer, so that only the requested layers are read back. The thickness is requested
+ * most often: it comes first, because unneeded targets are dropped from the end. */
 static const struct rg_image layer_images[] = {
+    { .name = "ice_depth.thickness", .format = VK_FORMAT_R32_SFLOAT },
     { .name = "ice_depth.front_layer", .format = VK_FORMAT_R32_SFLOAT },
     { .name = "ice_depth.back_layer", .format = VK_FORMAT_R32_SFLOAT },
-    { .name = "ice_depth.thickness", .format = VK_FORMAT_R32_SFLOAT },
 };
 
 static const struct rg_pass passes[] = {
@@ -53,9 +54,9 @@ static const struct rg_pass passes[] = {
     },
     {
         .name = "ice_depth.layers",
-        .color = RG_TARGETS({ &layer_images[0], RG_LOAD_CLEAR },
-                            { &layer_images[1], RG_LOAD_CLEAR },
-                            { &layer_images[2], RG_LOAD_CLEAR }),
+        .color =
+            RG_TARGETS({ &layer_images[0], RG_LOAD_CLEAR }, { &layer_images[1], RG_LOAD_CLEAR },
+                       { &layer_images[2], RG_LOAD_CLEAR }),
         .uses =
             RG_USES(FRAME_USE_GLOBALS,
                     FRAME_SAMPLE(ice_depth_front, ICE_DEPTH_FRONT, .sampler = &frame_same_texel),
@@ -69,21 +70,21 @@ static const struct rg_pass passes[] = {
 static const struct frame_layer layers[] = {
     {
         .name = "front.Z",
-        .image = &layer_images[0],
+        .image = &layer_images[1],
         .planes = { "front.Z" },
         .shown = FRAME_SHOWN_DISTANCE,
         .help = "view-space depth of the ice's nearest front face, metres; 0 without ice",
     },
     {
         .name = "back.Z",
-        .image = &layer_images[1],
+        .image = &layer_images[2],
         .planes = { "back.Z" },
         .shown = FRAME_SHOWN_DISTANCE,
         .help = "view-space depth of the ice's farthest back face, metres; 0 without ice",
     },
     {
         .name = "thickness",
-        .image = &layer_images[2],
+        .image = &layer_images[0],
         .planes = { "thickness.Z" },
         .shown = FRAME_SHOWN_AMOUNT,
         .help = "distance between front and back of the ice along the primary ray, metres",
