@@ -1,15 +1,14 @@
 /* gbuffer.h: bindings and push constants of the G-buffer passes, and the clear value of
- * gbuffer_position. */
+ * gbuffer_normal. */
 #ifndef SHADERS_OUTPUT_GBUFFER_H
 #define SHADERS_OUTPUT_GBUFFER_H
 #include "abi.h"
 
-#define GBUFFER_NORMAL       1  /* normals, in gbuffer_camera_normal.frag */
+#define GBUFFER_NORMAL       1  /* gbuffer_normal, in passes that read it */
 #define GBUFFER_STARTS       14 /* texture: first vertex of each opaque object */
 #define GBUFFER_STARTS_WIDTH 2048
 
-/* Distance in gbuffer_normal.w and gbuffer_position.w of background pixels: finite, but greater
- * than that of any surface. */
+/* Depth and distance of background pixels: finite, but greater than that of any surface. */
 #define GBUFFER_NOTHING 1e10f
 
 struct gbuffer_push {

@@ -9,13 +9,11 @@ layout(push_constant, scalar) uniform Push
 };
 
 layout(location = 0) in vec3 point;         /* pool coordinates */
-layout(location = 0) out vec4 out_normal;   /* w: distance along the view axis */
-layout(location = 1) out vec4 out_position; /* w: distance from the camera */
+layout(location = 0) out vec4 out_normal; /* w: distance along the view axis */
 
 void main()
 {
     vec3 n = wave_normal(wave_at(push.water, point.xy, frame.time));
     vec3 position = pool_to_world(point);
     out_normal = vec4(pool_to_world(n), dot(position - frame.eye, frame.forward));
-    out_position = vec4(position, distance(position, frame.eye));
 }

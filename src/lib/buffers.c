@@ -112,12 +112,13 @@ static void put_integer(char *to, uint32_t type, float value)
 /* Writes a row of one channel; zeros if `from` is NULL. */
 static void put_row(const struct target *target, char *to, const float *from, size_t count)
 {
+    const ptrdiff_t stride = target->pixel_stride;
     const bool is_float = target->type == FIRN_FLOAT32;
-    for (size_t x = 0; from && is_float && x < count; x++, to += target->pixel_stride)
+    for (size_t x = 0; from && is_float && x < count; x++, to += stride)
         memcpy(to, &from[x], sizeof(from[x]));
-    for (size_t x = 0; from && !is_float && x < count; x++, to += target->pixel_stride)
+    for (size_t x = 0; from && !is_float && x < count; x++, to += stride)
         put_integer(to, target->type, from[x]);
-    for (size_t x = 0; !from && x < count; x++, to += target->pixel_stride)
+    for (size_t x = 0; !from && x < count; x++, to += stride)
         memset(to, 0, type_sizes[target->type]);
 }
 

@@ -25,20 +25,32 @@ bool accumulate_add_planes(struct image *image, const struct frame_layer *layer)
     return true;
 }
 
-static void add_half(float *plane, size_t count, const void *texels, uint32_t channel,
-                     uint32_t channels)
+static void add_half(float *plane, size_t count, const void *texels, uint32_t channel)
 {
     const uint16_t *source = texels;
     for (size_t i = 0; i < count; i++)
-        plane[i] += half_to_float(source[i * channels + channel]);
+        plane[i] += half_to_float(source[i * 4 + channel]);
 }
 
-static void add_float(float *plane, size_t count, const void *texels, uint32_t channel,
-                      uint32_t channels)
+/* Adds `count` texels to a plane, or stores the first sample's, whose -0 becomes 0. */
+static void add_float(float *restrict plane, size_t count, const float *restrict source,
+                      uint32_t channels, bool is_first)
 {
-    const float *source = texels;
     for (size_t i = 0; i < count; i++)
-        plane[i] += source[i * channels + channel];
+        plane[i] = (is_first ? 0.0f : plane[i]) + source[i * channels];
+}
+
+/* As add_float() for three channels of four, which takes half as long as one after the other. */
+static void add_float3(float *const planes[static 3], size_t first, size_t count,
+                       const float *restrict source, bool is_first)
+{
+    float *restrict x = &planes[0][first], *restrict y = &planes[1][first];
+    float *restrict z = &planes[2][first];
+    for (size_t i = 0; i < count; i++, source += 4) {
+        x[i] = (is_first ? 0.0f : x[i]) + source[0];
+        y[i] = (is_first ? 0.0f : y[i]) + source[1];
+        z[i] = (is_first ? 0.0f : z[i]) + source[2];
+    }
 }
 
 void accumulate_sample(struct image *image, const struct tile *tile,
@@ -46,7 +58,8 @@ void accumulate_sample(struct image *image, const struct tile *tile,
 {
     const VkFormat format = layer->image->format;
     const size_t size = rg_format_info(format)->size;
-    assert(is_half(format) || size == channel_count(format) * sizeof(float));
+    const uint32_t channels = channel_count(format);
+    assert(is_half(format) || size == channels * sizeof(float));
     if (sample && !layer->mean)
         return;
     float *planes[FRAME_LAYER_PLANES];
@@ -56,14 +69,17 @@ void accumulate_sample(struct image *image, const struct tile *tile,
     /* Rows in the outer loop: all channels of a row are read while it is in the cache. */
     for (uint32_t y = 0; y < tile->height; y++) {
         const size_t first = (size_t)(tile->y + y) * image->width + tile->x;
-        const char *source = (const char *)texels + size * tile->width * y;
+        const char *row = (const char *)texels + size * tile->width * y;
+        const float *source = (const float *)(const void *)row + layer->first_channel;
+        if (count == 3 && channels == 4 && !is_half(format)) {
+            add_float3(planes, first, tile->width, source, !sample);
+            continue;
+        }
         for (uint32_t p = 0; p < count; p++) {
             if (is_half(format))
-                add_half(&planes[p][first], tile->width, source, layer->first_channel + p,
-                         channel_count(format));
+                add_half(&planes[p][first], tile->width, row, layer->first_channel + p);
             else
-                add_float(&planes[p][first], tile->width, source, layer->first_channel + p,
-                          channel_count(format));
+                add_float(&planes[p][first], tile->width, source + p, channels, !sample);
         }
     }
 }

@@ -1,10 +1,10 @@
 /*
- * gbuffer.c: G-buffer of the visible surface: normal, position, depth and object (layers N, P, Z
- * and object; layers distance and N.camera follow from them).
+ * gbuffer.c: G-buffer of the visible surface: normal, depth and object (layers N, Z and object;
+ * layers P, distance and N.camera are computed from them).
  *
- * Both passes draw into the same targets and have a depth buffer of their own, so that these layers
- * can be rendered without the beauty image. Alpha cut-outs, and blended surfaces with alpha below
- * one half, show what is behind them.
+ * The first two passes draw into the same targets and have a depth buffer of their own, so that
+ * these layers can be rendered without the beauty image. Alpha cut-outs, and blended surfaces with
+ * alpha below one half, show what is behind them.
  */
 #include "src/tech/output/gbuffer.h"
 #include "shaders/embedded.h"
@@ -17,14 +17,15 @@ const struct rg_image gbuffer_normal = {
     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
 };
 
-const struct rg_image gbuffer_position = {
-    .name = "gbuffer.position",
-    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
-};
-
 const struct rg_image gbuffer_object = {
     .name = "gbuffer.object",
     .format = VK_FORMAT_R32_SFLOAT,
+};
+
+/* xyz: world-space position, metres; w: distance from the camera, metres, or GBUFFER_NOTHING */
+static const struct rg_image surface_position = {
+    .name = "gbuffer.position",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
 };
 
 static const struct rg_image camera_normal = {
@@ -56,9 +57,6 @@ static const struct rg_pass passes[] = {
         .color = RG_TARGETS({ &gbuffer_normal,
                               RG_LOAD_CLEAR,
                               { .color.float32 = { 0.0f, 0.0f, 0.0f, GBUFFER_NOTHING } } },
-                            { &gbuffer_position,
-                              RG_LOAD_CLEAR,
-                              { .color.float32 = { 0.0f, 0.0f, 0.0f, GBUFFER_NOTHING } } },
                             { &gbuffer_object, RG_LOAD_CLEAR }),
         .depth = { &gbuffer_depth, RG_LOAD_CLEAR },
         .depth_compare = VK_COMPARE_OP_GREATER,
@@ -71,8 +69,7 @@ static const struct rg_pass passes[] = {
     },
     {
         .name = "gbuffer.objects",
-        .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_KEEP }, { &gbuffer_position, RG_LOAD_KEEP },
-                            { &gbuffer_object, RG_LOAD_KEEP }),
+        .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_KEEP }, { &gbuffer_object, RG_LOAD_KEEP }),
         .depth = { &gbuffer_depth, RG_LOAD_KEEP },
         .depth_compare = VK_COMPARE_OP_GREATER,
         .uses = uses,
@@ -86,7 +83,16 @@ static const struct rg_pass passes[] = {
 };
 
 /* Drawn after the water's passes, which share the G-buffer. */
-static const struct rg_pass camera_passes[] = {
+static const struct rg_pass derived_passes[] = {
+    {
+        .name = "gbuffer.position",
+        .color = RG_TARGETS({ &surface_position, RG_LOAD_DISCARD }),
+        .uses = RG_USES(FRAME_USE_GLOBALS,
+                        FRAME_SAMPLE(gbuffer_normal, GBUFFER_NORMAL, .sampler = &frame_same_texel)),
+        .vert = &fullscreen_vert,
+        .frag = &gbuffer_position_frag,
+        .record = frame_draw_screen,
+    },
     {
         .name = "gbuffer.camera_normal",
         .color = RG_TARGETS({ &camera_normal, RG_LOAD_DISCARD }),
@@ -165,7 +171,7 @@ static const struct frame_layer layers[] = {
     },
     {
         .name = "P",
-        .image = &gbuffer_position,
+        .image = &surface_position,
         .planes = { "P.X", "P.Y", "P.Z" },
         .shown = FRAME_SHOWN_POSITION,
         .help = "position of the visible surface, metres (of models far from 0,0,0: from "
@@ -182,7 +188,7 @@ static const struct frame_layer layers[] = {
     },
     {
         .name = "distance",
-        .image = &gbuffer_position,
+        .image = &surface_position,
         .planes = { "distance.Z" },
         .first_channel = 3,
         .shown = FRAME_SHOWN_DISTANCE,
@@ -206,5 +212,5 @@ const struct technique gbuffer = {
     .imports = imports,
     .pass_groups = { { PHASE_SURFACES, SCENE_OF_ANY, .graph = RG_TECHNIQUE("gbuffer", passes) },
                      { PHASE_UNPACK, SCENE_OF_ANY,
-                       .graph = RG_TECHNIQUE("gbuffer", camera_passes) } },
+                       .graph = RG_TECHNIQUE("gbuffer", derived_passes) } },
 };

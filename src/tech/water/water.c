@@ -58,7 +58,7 @@ static const struct rg_use ice_uses[] = {
 
 static const struct rg_pass gbuffer_pass = {
     .name = "water.gbuffer",
-    .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_KEEP }, { &gbuffer_position, RG_LOAD_KEEP }),
+    .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_KEEP }),
     .depth = { &gbuffer_depth, RG_LOAD_KEEP },
     .depth_compare = VK_COMPARE_OP_GREATER,
     .uses = RG_USES(FRAME_USE_GLOBALS),
