@@ -318,9 +318,9 @@ typedef bool rg_when_fn(const struct rg_frame *frame, uint32_t repetition);
 typedef VkRect2D rg_area_fn(const struct rg_cmd *cmd, const struct rg_frame *frame);
 
 /* Declaration of a pass in a table; expands to one pass or to several repetitions. If the row has a
- * fragment shader, colour targets at the end of `color` that nothing needs are left out of the
- * plan. The shader's writes to them are discarded, of which the validation layer may warn
- * (OutputNotConsumed). */
+ * fragment shader, trailing colour targets except the first are left out of the plan if no later
+ * pass and no output needs them. The shader's writes to them are discarded, of which the validation
+ * layer may warn (OutputNotConsumed). */
 struct rg_pass {
     const char *name;              /* unique; shown in dumps and captures */
     enum rg_kind kind;             /* raster, compute or transfer */

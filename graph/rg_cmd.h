@@ -35,9 +35,10 @@ RG_API VkExtent2D rg_cmd_extent(const struct rg_cmd *cmd);
 /* ---- drawing and computing ---- */
 
 /* Binds a pipeline of the application in place of the row's. It is a graphics pipeline for the
- * formats and samples of the row's targets, with dynamic viewport and scissor, or a compute
- * pipeline, and its layout is compatible with rg_exec_layout(). It must exist until the frame has
- * been executed. Rows without shaders call this before they draw or dispatch. */
+ * formats and samples of the row's targets (in rows with a fragment shader: those in the plan, see
+ * struct rg_pass), with dynamic viewport and scissor, or a compute pipeline, and its layout is
+ * compatible with rg_exec_layout(). It must exist until the frame has been executed. Rows without
+ * shaders call this before they draw or dispatch. */
 RG_API void rg_cmd_bind_pipeline(struct rg_cmd *cmd, VkPipeline pipeline);
 
 /* Binds a descriptor set of the application as set 1. rg_exec_params.sets has the set's layout. The

@@ -79,11 +79,11 @@ static void apply_access(struct cell *s, const struct access *a, uint32_t pass, 
 
 /* ---- several queues ---- */
 
-/* Makes the current pass wait for accesses of other queues to the subresource of a resource that
- * several queues access. Returns true if it then needs no barrier: it reads what another queue
- * wrote, which the semaphore makes visible. The state of the subresource describes its home
- * queue only; a change on another queue moves it there, and then waits for all commands, which
- * include the semaphore's wait. */
+/* Makes the current pass wait for other queues' accesses to the subresource. The resource must have
+ * queue_cells. Returns true if the access then needs no barrier: it reads what another queue wrote,
+ * which the semaphore makes visible. The state of the subresource describes its home queue only; a
+ * change on another queue moves it there, and then waits for all commands, which include the
+ * semaphore's wait. */
 static bool cross_queues(struct compiler *c, struct cell *s, const struct access *a, uint32_t pass)
 {
     struct cell_queues *q = &a->resource->queue_cells[s - a->resource->cells];

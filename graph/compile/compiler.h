@@ -107,7 +107,7 @@ struct access {
 
 struct pass {
     uint32_t first_access, access_count;
-    uint32_t first_dropped, dropped_count; /* accesses of unneeded targets, from first_access on */
+    uint32_t first_dropped, dropped_count; /* unneeded targets; index relative to first_access */
     bool alive;                            /* not culled */
     enum rg_queue queue;
 };

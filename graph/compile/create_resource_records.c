@@ -247,7 +247,7 @@ static void check_name(struct compiler *c, struct resource *r)
 static struct resource *add_resource(struct compiler *c, const struct rg_image *image,
                                      const struct rg_buffer *buffer, const struct rg_import *import)
 {
-    /* cleared by a function of the C library: compilers inline a slower loop */
+    /* zeroed by memset(): for a struct initializer, compilers inline a slower loop */
     struct resource *r = rg_arena_zeroed(c->arena, 1, sizeof(*r) + sizeof(struct cell));
     if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room,
                     c->row_count * 2) ||

@@ -56,10 +56,10 @@ static void mark_needed_content(const struct access *first, const struct access 
     }
 }
 
-/* Finds the trailing colour targets of a pass whose results nothing needs, with their resolves. The
- * first target is kept, so that the pass keeps its number of samples, and earlier targets are kept,
- * so that the locations of the others do not change. Rows without a fragment shader keep all,
- * because they bind pipelines of the program for the declared targets. */
+/* Finds a pass's trailing colour targets, and their resolve targets, that nothing needs. The first
+ * target is kept, so that the pass keeps its number of samples, and earlier targets are kept, so
+ * that the locations of the others do not change. Rows without a fragment shader keep all, because
+ * the application may bind its own pipelines, created for the declared targets. */
 static void find_dropped(struct pass *pass, const struct rg_pass *row, const struct access *first)
 {
     uint32_t end = 0;

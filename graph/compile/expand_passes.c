@@ -293,8 +293,9 @@ static bool use_fallback(struct compiler *c, const struct rg_use *use)
         return false;
     if (!c->provided.slots)
         find_provided(c);
-    const struct rg_image *written = use->image->previous ? use->image->previous : use->image;
-    void **value = rg_map_value(c->arena, &c->provided, written);
+    void **value = rg_map_value(c->arena, &c->provided, use->image);
+    if (value && !*value && use->image->previous)
+        value = rg_map_value(c->arena, &c->provided, use->image->previous);
     if (!value || *value ||
         !ARENA_ROOM(c->arena, c->fallbacks, c->fallback_count, c->fallback_room, 16))
         return false;

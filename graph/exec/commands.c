@@ -186,7 +186,7 @@ void rg_cmd_bind_set(struct rg_cmd *cmd, VkDescriptorSet set)
 void rg_cmd_viewport(struct rg_cmd *cmd, const VkViewport *viewport)
 {
     if (!viewport)
-        rg_exec_misuse(cmd, NULL, "rg_cmd_viewport() of NULL");
+        rg_exec_misuse(cmd, NULL, "rg_cmd_viewport() with a viewport that is NULL");
     else if (is_in(cmd, RG_RASTER, "rg_cmd_viewport()"))
         cmd->exec->vk.CmdSetViewport(cmd->commands, 0, 1, viewport);
 }
@@ -305,7 +305,7 @@ static bool find_counted(const struct rg_cmd *cmd, const struct rg_indirect_coun
 {
     struct rg_exec *exec = cmd->exec;
     if (!draws) {
-        rg_exec_misuse(cmd, NULL, "an indirect draw of a struct rg_indirect_count that is NULL");
+        rg_exec_misuse(cmd, NULL, "an indirect draw with count parameters that are NULL");
         return false;
     }
     if (!exec->has_indirect_count) {

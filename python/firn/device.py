@@ -425,17 +425,21 @@ class _NativeRenderer(_Handle):
         self.size = size
 
 
-def _find_unshared(arrays, shape, count):
-    """Returns an array of this shape that has `count` references as CPython counts them here."""
-    for array in arrays:
-        if sys.getrefcount(array) == count and array.shape == shape:
-            return array
+def _find_unshared(arrays, shape, dtype):
+    """
+    Returns a writable array of this shape and type that only `arrays` refers to, or None. The count
+    of its references depends on the version of CPython and on debuggers: it is that of an object to
+    which only a list refers.
+    """
+    single = [object()]
+    item = single[0]
+    count = sys.getrefcount(item)
+    for k in range(len(arrays)):
+        item = arrays[k]
+        if (sys.getrefcount(item) == count and item.shape == shape and item.dtype == dtype and
+                item.flags.writeable and item.flags.c_contiguous):
+            return item
     return None
-
-
-# The count of an array that only the container refers to. It differs between versions of CPython.
-_UNSHARED_COUNT = next(count for count in range(1, 10) if _find_unshared(
-    collections.deque([np.empty(())]), (), count) is not None)
 
 
 class Renderer:
@@ -459,6 +463,7 @@ class Renderer:
     def close(self) -> None:
         """Frees the renderer."""
         self._closed = True
+        self._recent.clear()
         if self._native:
             self._native.close()
 
@@ -499,7 +504,7 @@ class Renderer:
         def array(name, layer):
             shape = (size[1], size[0]) + ((layer['channels'],) if layer['channels'] > 1 else ())
             recent = self._recent[name]
-            found = _find_unshared(recent, shape, _UNSHARED_COUNT)
+            found = _find_unshared(recent, shape, layer['dtype'])
             if found is None:
                 found = np.empty(shape, layer['dtype'])
                 recent.append(found)

@@ -8,7 +8,7 @@
 #define GBUFFER_STARTS       14 /* texture: first vertex of each opaque object */
 #define GBUFFER_STARTS_WIDTH 2048
 
-/* Depth and distance of background pixels: finite, but greater than that of any surface. */
+/* Depth and distance of background pixels: finite, but greater than those of any surface. */
 #define GBUFFER_NOTHING 1e10f
 
 struct gbuffer_push {

@@ -1,4 +1,4 @@
-/* gbuffer_position.frag: position of the visible surface, from its depth on the primary ray. */
+/* gbuffer_position.frag: position of the visible surface, from its depth and the primary ray. */
 #version 460
 #include "lib/primary_ray.glsl"
 #include "output/gbuffer.h"

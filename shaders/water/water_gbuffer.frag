@@ -8,7 +8,7 @@ layout(push_constant, scalar) uniform Push
     water_push push;
 };
 
-layout(location = 0) in vec3 point;         /* pool coordinates */
+layout(location = 0) in vec3 point;       /* pool coordinates */
 layout(location = 0) out vec4 out_normal; /* w: distance along the view axis */
 
 void main()

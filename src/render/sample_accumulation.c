@@ -32,7 +32,7 @@ static void add_half(float *plane, size_t count, const void *texels, uint32_t ch
         plane[i] += half_to_float(source[i * 4 + channel]);
 }
 
-/* Adds `count` texels to a plane, or stores the first sample's, whose -0 becomes 0. */
+/* Adds a channel of `count` texels to a plane. The first sample replaces its content; -0 as 0. */
 static void add_float(float *restrict plane, size_t count, const float *restrict source,
                       uint32_t channels, bool is_first)
 {
@@ -40,7 +40,7 @@ static void add_float(float *restrict plane, size_t count, const float *restrict
         plane[i] = (is_first ? 0.0f : plane[i]) + source[i * channels];
 }
 
-/* As add_float() for three channels of four, which takes half as long as one after the other. */
+/* As add_float() for three channels of four, in one pass over the texels. */
 static void add_float3(float *const planes[static 3], size_t first, size_t count,
                        const float *restrict source, bool is_first)
 {

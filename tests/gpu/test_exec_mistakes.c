@@ -335,9 +335,8 @@ static const struct frame_mistake frame_mistakes[] = {
     { "draw", draw_too_many,
       "draw: a read of indirect parameters of 272 bytes at offset 0 exceeds "
       "the 256 bytes of numbers" },
-    { "draw", viewport, "draw: rg_cmd_viewport() of NULL" },
-    { "draw", draw_null_count,
-      "draw: an indirect draw of a struct rg_indirect_count that is NULL" },
+    { "draw", viewport, "draw: rg_cmd_viewport() with a viewport that is NULL" },
+    { "draw", draw_null_count, "draw: an indirect draw with count parameters that are NULL" },
     { "draw", draw_uncounted, "draw: the row's uses have no access 'indirect' of seed" },
     { "mesh", draw_null_mesh, "mesh: a draw of a mesh that is NULL or lacks buffers" },
     { "mesh", draw_incomplete, "mesh: a draw of a mesh that is NULL or lacks buffers" },

@@ -351,9 +351,12 @@ class Firn(unittest.TestCase):
             kept, view = first.Z, first.rgb[10:, :, 1]
             copies = kept.copy(), view.copy()
             del first
+            addresses = []
             for _ in range(4):
                 other = renderer.render(VIEW)
                 self.assertGreater(np.abs(other.Z - kept).max(), 0)
+                addresses.append(other.Z.ctypes.data)
+            self.assertLess(len(set(addresses)), 4, 'arrays are reused')
         np.testing.assert_array_equal(kept, copies[0])
         np.testing.assert_array_equal(view, copies[1])
 

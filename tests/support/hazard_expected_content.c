@@ -115,6 +115,8 @@ static bool is_color(const struct hazard_pass *pass, const struct hazard_use *us
  * without a fragment shader keep all. */
 static void mark_dropped(struct hazard *h, const struct hazard_pass *pass)
 {
+    if (!pass->pass->frag || !pass->pass->color)
+        return;
     const struct rg_target *end = pass->pass->color + 1;
     for (uint32_t u = pass->first_use; u < pass->first_use + pass->use_count; u++) {
         const struct hazard_use *use = &h->uses[u];
@@ -122,8 +124,7 @@ static void mark_dropped(struct hazard *h, const struct hazard_pass *pass)
             end = use->target + 1;
     }
     for (uint32_t u = pass->first_use; u < pass->first_use + pass->use_count; u++)
-        h->uses[u].dropped =
-            pass->pass->frag && is_color(pass, &h->uses[u]) && h->uses[u].target >= end;
+        h->uses[u].dropped = is_color(pass, &h->uses[u]) && h->uses[u].target >= end;
 }
 
 /* Updates, in a backward analysis, which content is needed before a use. `surely` is true if the

@@ -153,7 +153,8 @@ static void test_unneeded_last_targets_are_dropped(void **state)
 {
     (void)state;
     const struct rg_pass passes[] = {
-        DRAW("clear", .color = RG_TARGETS({ CLEARED(a) }, { CLEARED(b) }, { CLEARED(c) })),
+        DRAW("clear", .color = RG_TARGETS({ CLEARED(a) }, { CLEARED(b) }, { CLEARED(c) }),
+             .depth = { CLEARED(depth) }),
         DRAW("keep", .color = RG_TARGETS({ &a }, { &c }, { &b })),
         DRAW("sample", .color = RG_TARGETS({ &a }), SAMPLING(c)),
     };
@@ -167,7 +168,8 @@ static void test_unneeded_last_targets_are_dropped(void **state)
         small_graph_compile(&(struct small_graph){ .passes = passes, .pass_count = 2, WANTS(a) });
     assert_int_equal(plan->passes[0].color_count, 1);
     assert_int_equal(plan->passes[1].color_count, 1);
-    assert_int_equal(plan->image_count, 1);
+    assert_int_equal(plan->image_count, 2); /* a and depth */
+    check_ops(&plan->passes[0].depth, LOAD(CLEAR), STORE(DONT_CARE));
     rg_plan_destroy(plan);
 }
 
