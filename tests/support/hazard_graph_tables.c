@@ -281,8 +281,8 @@ static bool row_writes(const struct rg_pass *row, const struct rg_image *image)
     return false;
 }
 
-/* Returns true if the use binds its fallback, because the image, or the one whose history it is, is
- * neither written nor imported. */
+/* Returns true if the use binds its fallback, because neither the image nor, of a history image,
+ * its `previous` is written or imported. */
 static bool falls_back(const struct hazard *h, const struct rg_use *use)
 {
     const struct rg_compile_params *params = h->params;
@@ -290,7 +290,7 @@ static bool falls_back(const struct hazard *h, const struct rg_use *use)
         return false;
     const struct rg_image *image = use->image->previous ? use->image->previous : use->image;
     for (size_t i = 0; i < params->import_count; i++) {
-        if (params->imports[i].image == image)
+        if (params->imports[i].image == image || params->imports[i].image == use->image)
             return false;
     }
     for (size_t t = 0; t < params->technique_count; t++) {

@@ -123,7 +123,7 @@ static void check_image(struct hazard *h, const struct hazard_resource *resource
     const struct rg_plan_image *other = partner == RG_NONE ? image : &h->plan->images[partner];
     if (image->partner != partner || image->usage != other->usage || image->flags != other->flags ||
         image->queues != other->queues)
-        hazard_report(h, "'%s' has another partner, or other properties than it",
+        hazard_report(h, "'%s' has a wrong partner, or differs from it in usage, flags or queues",
                       name_of(resource));
 }
 

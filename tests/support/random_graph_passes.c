@@ -179,7 +179,7 @@ static void draw_stages(struct random_tables *t, const struct rg_pass *pass, str
 static const struct rg_image missing = { .name = "missing", .format = VK_FORMAT_R16_SFLOAT };
 static const struct rg_fallback black = { { 0 } };
 
-/* Gives a sampled image a placeholder, or samples an image that nothing writes. */
+/* Sometimes adds a fallback to `use`; if `use` is NULL, sometimes samples an unwritten image. */
 static void draw_fallback(struct random_tables *t, const struct rg_pass *pass, struct rg_use *use)
 {
     const bool sampled = use && use->image && use->access == RG_SAMPLED && !use->view_format;

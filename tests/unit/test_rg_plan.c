@@ -513,8 +513,8 @@ struct many {
     struct rg_use last_uses[MANY_USES + 1];
 };
 
-/* Each pass reads what the one before it wrote, and every other one writes another image first,
- * which nobody wants; the last one reads MANY_USES images from all over the graph. */
+/* Each pass reads an image of the pass before it. Every other pass has an extra first target that
+ * nothing reads. The last pass reads MANY_USES images from all over the graph. */
 static void make_many(struct many *m)
 {
     uint32_t image = 0;
