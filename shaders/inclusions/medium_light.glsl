@@ -110,7 +110,10 @@ medium_segment medium_march(medium_field field, vec3 from, vec3 along, vec3 to_s
     vec3 first = from + between.x * along, segment = (between.y - between.x) * along;
     float step_length = (between.y - between.x) / float(steps);
     bool is_lit = frame.sun_light != vec3(0.0) && remaining > 0 && step_length > 0.0;
-    vec3 sun_depths = is_lit ? medium_sun_depth_fit(field, first, segment, to_sun) : vec3(0.0);
+    vec3 sun_depths = vec3(0.0);
+    /* a loop instead of a branch, of which lavapipe executes both sides */
+    for (int fits = is_lit ? min(remaining, 1) : 0; fits > 0; fits--)
+        sun_depths = medium_sun_depth_fit(field, first, segment, to_sun);
     remaining = step_length > 0.0 ? remaining : 0;
     while (remaining > 0) {
         remaining--;
