@@ -84,6 +84,7 @@ def water():
     return mesh
 
 
+STRAW_RINGS = 16  # rings of quads along the straw
 STRAW_TEXELS = (128, 1024)  # texels of the straw's texture, around and along it
 
 
@@ -124,20 +125,25 @@ def straw():
     up = cross(ahead, side)
     mesh = Mesh([], [], [])
     count = 41  # last column: same points as the first, u = 1 instead of 0
-    # Rings of points: outside upwards, upper cut, inside downwards, lower cut.
+    # Strips of rings: outside upwards, upper cut, inside downwards, lower cut. The walls have many
+    # rings: bounding boxes of long triangles that lean are as large as the straw's.
     thin = radius - 0.00048
-    for r, share, out in ((radius, 0, 1), (radius, 1, 1), (radius, 1, 0), (thin, 1, 0),
-                          (thin, 1, -1), (thin, 0, -1), (thin, 0, 0), (radius, 0, 0)):
-        for k in range(count):
-            a = 2 * math.pi * k / (count - 1)
-            away = add(scale(side, math.cos(a)), scale(up, math.sin(a)))
-            mesh.points.append(add(mix(foot, top, share), scale(away, r)))
-            mesh.normals.append(scale(away, out) if out else scale(ahead, 2 * share - 1))
-            mesh.uvs.append((k / (count - 1), share) if out > 0 else (0.5, 0.075))
-    for first in range(0, 8 * count, 2 * count):
-        for a in range(first, first + count - 1):
-            b = a + count
-            mesh.faces += [(a, a + 1, b + 1), (a, b + 1, b)]
+    for r, end_r, share, end_share, out, steps in (
+            (radius, radius, 0, 1, 1, STRAW_RINGS), (radius, thin, 1, 1, 0, 1),
+            (thin, thin, 1, 0, -1, STRAW_RINGS), (thin, radius, 0, 0, 0, 1)):
+        for i in range(steps + 1):
+            first = len(mesh.points)
+            t = i / steps
+            at = share + t * (end_share - share)
+            for k in range(count):
+                a = 2 * math.pi * k / (count - 1)
+                away = add(scale(side, math.cos(a)), scale(up, math.sin(a)))
+                mesh.points.append(add(mix(foot, top, at), scale(away, r + t * (end_r - r))))
+                mesh.normals.append(scale(away, out) if out else scale(ahead, 2 * at - 1))
+                mesh.uvs.append((k / (count - 1), at) if out > 0 else (0.5, 0.075))
+            for a in range(first, first + count - 1 if i < steps else first):
+                b = a + count
+                mesh.faces += [(a, a + 1, b + 1), (a, b + 1, b)]
     return mesh
 
 
