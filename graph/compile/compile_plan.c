@@ -42,10 +42,9 @@ static void run(struct compiler *c)
     if (!rg_check_params(c))
         return;
     /* so that the tables are not copied as they grow */
-    rg_map_reserve(c->arena, &c->by_address, c->row_count + c->row_count / 2);
-    rg_map_reserve(c->arena, &c->resource_names, c->row_count + c->row_count / 2);
-    rg_map_reserve(c->arena, &c->pass_names, c->row_count);
-    if (c->arena->failed)
+    if (!rg_map_reserve(c->arena, &c->by_address, c->row_count + c->row_count / 2) ||
+        !rg_map_reserve(c->arena, &c->resource_names, c->row_count + c->row_count / 2) ||
+        !rg_map_reserve(c->arena, &c->pass_names, c->row_count))
         return;
     rg_add_boundary(c);
     rg_expand(c);
