@@ -107,7 +107,7 @@ struct rg_plan *rg_compile(const struct rg_compile_params *params)
 
 void rg_plan_destroy(struct rg_plan *plan)
 {
-    if (!plan)
+    if (!plan || __atomic_fetch_or(&plan->users, RG_PLAN_DESTROYED, __ATOMIC_ACQ_REL))
         return;
     struct arena arena = ((struct owned_plan *)plan)->arena;
     rg_arena_finish(&arena); /* also frees the plan itself */
