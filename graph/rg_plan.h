@@ -150,7 +150,10 @@ struct rg_plan {
     VkDeviceSize memory_bound;            /* peak live bytes, a lower bound */
     VkDeviceSize memory_persistent;       /* bytes of dedicated memory, not included above */
     size_t arena_size;                    /* arena bytes used by rg_compile() */
+    uint32_t users; /* set by the library: number of executors, and RG_PLAN_DESTROYED */
 };
+
+#define RG_PLAN_DESTROYED (1u << 31) /* rg_plan_destroy() was called while executors had the plan */
 
 #ifdef __cplusplus
 }

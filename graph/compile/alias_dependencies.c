@@ -66,14 +66,10 @@ static void record_accesses(struct segments *s, const struct pack_item *item,
     }
 }
 
-static struct previous_owner *owner_of(const struct compiler *c, const struct pack_item *item)
-{
-    return &c->owners[item->resource->item];
-}
-
 /* Collects the accesses to a resource that may still be running at the end of the frame. */
 static void find_pending(const struct resource *r, struct previous_owner *pending)
 {
+    *pending = (struct previous_owner){ 0 };
     for (uint32_t k = 0; k < r->cell_count; k++) {
         const struct cell *cell = &r->cells[k];
         bool awaited = cell->flags & CELL_AWAITED;
@@ -89,7 +85,7 @@ static void find_owners(struct compiler *c, struct segments *s, const struct pac
     const struct pack_item *end = items + count;
     struct previous_owner common = { UINT64_MAX, UINT64_MAX };
     for (const struct pack_item *item = items; item < end; item++) {
-        struct previous_owner *owner = owner_of(c, item);
+        struct previous_owner *owner = &c->owners[item->resource->item];
         find_pending(item->resource, owner);
         common.stages &= owner->stages;
         common.writes &= owner->writes;
@@ -99,20 +95,22 @@ static void find_owners(struct compiler *c, struct segments *s, const struct pac
         return;
     s->items[0].pending = common;
     for (const struct pack_item *item = items; item < end; item++) {
-        if (!covers(&common, owner_of(c, item)))
-            record_accesses(s, item, owner_of(c, item));
+        const struct previous_owner *owner = &c->owners[item->resource->item];
+        if (!covers(&common, owner))
+            record_accesses(s, item, owner);
     }
     for (const struct pack_item *item = items; item < end; item++) {
+        struct previous_owner *owner = &c->owners[item->resource->item];
         for (uint32_t i = find(s, item->offset);
              i < s->count && s->items[i].begin < item->offset + item->size; i++)
-            add(owner_of(c, item), &s->items[i].pending);
+            add(owner, &s->items[i].pending);
     }
 }
 
 void rg_complete_alias_barriers(struct compiler *c)
 {
     struct segments *segments = ARENA_ARRAY(c->arena, struct segments, 1);
-    c->owners = ARENA_ZEROED(c->arena, struct previous_owner, c->item_count);
+    c->owners = ARENA_ARRAY(c->arena, struct previous_owner, c->item_count);
     for (uint32_t done = 0, end; done < c->item_count && !c->arena->failed; done = end) {
         for (end = done + 1; end < c->item_count && c->items[end].block == c->items[done].block;)
             end++;

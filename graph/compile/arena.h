@@ -48,7 +48,7 @@ struct map_slot {
 struct map {
     struct map_slot *slots;
     uint32_t mask; /* number of slots minus 1 */
-    uint32_t count;
+    uint32_t room; /* entries that it takes until it grows */
 };
 
 /* Returns the slot of an address, or the empty slot where it would be inserted. */
@@ -61,16 +61,20 @@ static inline struct map_slot *rg_map_find(const struct map *map, const void *ad
     return &map->slots[i & map->mask];
 }
 
-void rg_map_reserve(struct arena *arena, struct map *map, uint32_t count);
-
-/* Inserts an address into an empty slot. Returns a pointer to its value; NULL if out of memory. */
-void **rg_map_add(struct arena *arena, struct map *map, struct map_slot *slot, const void *address);
+/* Makes room for a number of entries. Returns false if out of memory. */
+bool rg_map_reserve(struct arena *arena, struct map *map, uint32_t count);
 
 /* Returns a pointer to an address's value, initially NULL. Returns NULL if out of memory. */
 static inline void **rg_map_value(struct arena *arena, struct map *map, const void *address)
 {
+    if (!map->room && !rg_map_reserve(arena, map, map->mask))
+        return NULL;
     struct map_slot *slot = rg_map_find(map, address);
-    return slot->key ? &slot->value : rg_map_add(arena, map, slot, address);
+    if (!slot->key) {
+        slot->key = address;
+        map->room--;
+    }
+    return &slot->value;
 }
 
 /* Adds a string to a string set, a map keyed by hashes. Returns true if the set already contained

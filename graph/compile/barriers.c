@@ -31,8 +31,8 @@ static bool changes_cell(const struct cell *s, const struct access *a)
 
 /* Returns false if the access needs no barrier. Fills the barrier `b` except its resource and
  * range. Sets *release to the earliest pass that the barrier may precede. */
-static bool needs_barrier(const struct cell *s, const struct access *a, struct rg_barrier *b,
-                          uint32_t *release)
+RG_INLINE bool needs_barrier(const struct cell *s, const struct access *a, struct rg_barrier *b,
+                             uint32_t *release)
 {
     bool changes = changes_cell(s, a);
     if (!changes && !(a->visibility & ~s->visible))
@@ -51,7 +51,8 @@ static bool needs_barrier(const struct cell *s, const struct access *a, struct r
 }
 
 /* Updates a subresource's state for an access. `made_visible` is true if a barrier precedes it. */
-static void apply_access(struct cell *s, const struct access *a, uint32_t pass, bool made_visible)
+RG_INLINE void apply_access(struct cell *s, const struct access *a, uint32_t pass,
+                            bool made_visible)
 {
     bool conditional = a->flags & ACCESS_CONDITIONAL;
     s->touched = pass + 1;
@@ -430,22 +431,17 @@ static bool has_room(struct compiler *c)
     return ARENA_ROOM(c->arena, c->barriers, c->barrier_count, c->barrier_room, c->row_count * 4);
 }
 
-/* Returns true if the main queue reads what another queue wrote last. read_stages does not include
- * such reads, because a semaphore orders them after the write. */
-static bool is_read_elsewhere(const struct cell *s, const struct resource *r)
-{
-    const struct cell_queues *q = r->queue_cells ? &r->queue_cells[s - r->cells] : NULL;
-    return q && q->home != RG_QUEUE_MAIN && q->touched[RG_QUEUE_MAIN];
-}
-
-/* Returns true if the frame changes the state in which an import's subresource arrived. */
+/* Returns true if the frame changes the state in which an import's subresource arrived. read_stages
+ * lacks the main queue's reads of what another queue wrote, because a semaphore orders them. */
 static bool must_be_restored(const struct cell *s, const struct access *arrival)
 {
+    const struct resource *r = arrival->resource;
+    const struct cell_queues *q = r->queue_cells ? &r->queue_cells[s - r->cells] : NULL;
     if (!(arrival->flags & ACCESS_WRITES))
         return s->flags & CELL_CHANGED;
     return s->layout != arrival->layout || s->write_stages != arrival->stages ||
            s->write_access != rg_access_table[arrival->kind].writes || s->read_stages ||
-           is_read_elsewhere(s, arrival->resource);
+           (q && q->home != RG_QUEUE_MAIN && q->touched[RG_QUEUE_MAIN]);
 }
 
 static void add_barriers(struct compiler *c, const struct access *a, uint32_t pass,
@@ -454,7 +450,7 @@ static void add_barriers(struct compiler *c, const struct access *a, uint32_t pa
     struct resource *r = a->resource;
     bool writes = a->flags & ACCESS_WRITES;
     uint32_t start = c->barrier_count;
-    uint32_t mip = a->range.baseMipLevel;
+    uint32_t mip = a->range.mip;
     for (struct cell_walk w = rg_cells(a); w.cell && has_room(c); rg_next_cell(&w)) {
         if (restores_import && !must_be_restored(w.cell, a))
             continue;
@@ -533,7 +529,7 @@ static void end_barriers(struct compiler *c)
     close_batch(c);
     plan->barrier_count = c->barrier_count;
     plan->first_initial_barrier = c->batch_first = c->barrier_count;
-    for (uint32_t i = 0; i < c->resource_count; i++) {
+    for (uint32_t i = 0; i < c->resource_count && c->persistent_count; i++) {
         if (c->resources[i]->first != RG_NONE && c->resources[i]->persistent)
             begin_history(c, c->resources[i]);
     }
@@ -555,8 +551,8 @@ static void write_target(struct rg_plan_target *target, const struct access *a)
     const struct rg_target *declared = a->declared;
     bool writes = a->flags & ACCESS_WRITES;
     target->image = a->resource->plan_image;
-    target->mip = a->range.baseMipLevel;
-    target->layer = a->range.baseArrayLayer;
+    target->mip = a->range.mip;
+    target->layer = a->range.layer;
     target->load = writes ? load_ops[declared->load] : VK_ATTACHMENT_LOAD_OP_LOAD;
     target->store = !writes                    ? VK_ATTACHMENT_STORE_OP_NONE
                     : a->flags & ACCESS_NEEDED ? VK_ATTACHMENT_STORE_OP_STORE
@@ -569,15 +565,14 @@ static void write_target(struct rg_plan_target *target, const struct access *a)
 static void write_access(struct compiler *c, const struct access *a, struct rg_plan_pass *pass)
 {
     struct rg_plan *plan = c->plan;
-    struct rg_plan_target *newest = &c->colors[plan->color_count];
     if (a->kind == RG_COLOR) {
-        write_target(newest, a);
-        plan->color_count++;
+        write_target(&c->colors[plan->color_count++], a);
         pass->color_count++;
     } else if (a->kind == RG_RESOLVE) {
-        newest[-1].resolve = a->resource->plan_image;
-        newest[-1].resolve_mip = a->range.baseMipLevel;
-        newest[-1].resolve_layer = a->range.baseArrayLayer;
+        struct rg_plan_target *newest = &c->colors[plan->color_count - 1];
+        newest->resolve = a->resource->plan_image;
+        newest->resolve_mip = a->range.mip;
+        newest->resolve_layer = a->range.layer;
     } else if (a->kind == RG_DEPTH || a->kind == RG_DEPTH_READ) {
         write_target(&pass->depth, a);
     } else {
@@ -585,7 +580,11 @@ static void write_access(struct compiler *c, const struct access *a, struct rg_p
         use->use = a->declared;
         use->image = a->resource->plan_image;
         use->buffer = a->resource->plan_buffer;
-        use->range = a->resource->image ? a->range : (VkImageSubresourceRange){ 0 };
+        use->range =
+            !a->resource->image
+                ? (VkImageSubresourceRange){ 0 }
+                : (VkImageSubresourceRange){ a->range.aspects, a->range.mip, a->range.mip_count,
+                                             a->range.layer, a->range.layer_count };
         use->layout = a->layout;
         pass->use_count++;
     }

@@ -50,34 +50,71 @@ static bool is_view_format(const struct rg_use *use)
            rg_is_shader_access(use->access);
 }
 
+static const char *buffer_problem(const struct rg_use *use, const struct rg_access_info *info)
+{
+    if (use->buffer->memory == RG_MEMORY_UPLOAD && info->writes_content)
+        return "the CPU writes this buffer; a pass may only read it";
+    if ((use->access == RG_SAMPLED || use->texels) && !rg_format_info(use->buffer->format))
+        return "set the buffer's texel format (graph/compile/format_table.c)";
+    if (use->sampler)
+        return "remove the sampler: a texel buffer is read by texelFetch";
+    return NULL;
+}
+
+/* Accesses that the `uses` of each kind of pass may have: bits 1 << enum rg_access. */
+static const uint32_t accesses_of_kind[] = {
+    [RG_RASTER] = (1u << (RG_INDIRECT + 1)) - (1u << RG_SAMPLED),
+    [RG_COMPUTE] = ((1u << (RG_TRACE + 1)) - (1u << RG_SAMPLED)) | 1u << RG_INDIRECT,
+    [RG_TRANSFER] = 1u << RG_COPY_SRC | 1u << RG_COPY_DST,
+};
+
+/* Returns an error hint if this kind of pass does not support a use, otherwise NULL. */
+static const char *use_problem(enum rg_kind kind, const struct rg_use *use)
+{
+    const struct rg_access_info *info = &rg_access_table[use->access];
+    if (!(accesses_of_kind[kind <= RG_TRANSFER ? kind : RG_COMPUTE] >> use->access & 1))
+        return "this kind of pass cannot have this access; targets go into .color and .depth";
+    if (use->stages & ~rg_shader_stages(kind))
+        return "stages: expected only those of the pass's shaders";
+    if (use->image && !info->image_usage)
+        return "this access is for buffers only";
+    if (use->texels && (use->image || !(info->buffer_usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT)))
+        return "texels: expected a storage buffer access";
+    if (use->fallback && (use->access != RG_SAMPLED || !use->image || use->image->samples > 1 ||
+                          !rg_format_info(use->image->format)))
+        return "fallback: expected a sampled image of a known format with one sample per texel";
+    return use->image ? NULL : buffer_problem(use, info);
+}
+
 static void check_use(struct compiler *c, const struct rg_pass *pass, const struct rg_use *use)
 {
-    const char *name = rg_use_name(use);
     if (!rg_is_valid_use(use)) {
-        rg_fault(c, RG_ERROR_NOT_ONE_RESOURCE, name,
+        rg_fault(c, RG_ERROR_NOT_ONE_RESOURCE, rg_use_name(use),
                  "a use needs exactly one image or buffer, and an access");
         return;
     }
-    const char *problem = rg_use_problem(pass, use);
-    rg_fault_if(c, problem, RG_ERROR_ACCESS, name, problem);
-    rg_fault_if(c, use->fallback && use->image && !problem && !fits_format(use), RG_ERROR_VALUE,
-                name, "fallback: expected finite numbers in the range of the format");
+    const char *problem = use_problem(pass->kind, use);
+    rg_fault_if(c, problem, RG_ERROR_ACCESS, rg_use_name(use), problem);
+    rg_fault_if(c, use->fallback && !problem && !fits_format(use), RG_ERROR_VALUE, rg_use_name(use),
+                "fallback: expected finite numbers in the range of the format");
     if (use->image && use->image->samples > 1) {
-        rg_fault_if(c, use->access != RG_SAMPLED, RG_ERROR_SAMPLES, name,
+        rg_fault_if(c, use->access != RG_SAMPLED, RG_ERROR_SAMPLES, rg_use_name(use),
                     "a multisampled image can only be sampled or drawn to; resolve it first");
-        rg_fault_if(c, use->access == RG_SAMPLED && use->sampler, RG_ERROR_SAMPLES, name,
+        rg_fault_if(c, use->access == RG_SAMPLED && use->sampler, RG_ERROR_SAMPLES,
+                    rg_use_name(use),
                     "remove the sampler: a multisampled image is read by texelFetch");
     }
     if (use->sampler && use->image) {
         problem = sampler_problem(use->sampler, rg_format_info(rg_view_format(use)));
-        rg_fault_if(c, problem, RG_ERROR_VALUE, name, problem);
+        rg_fault_if(c, problem, RG_ERROR_VALUE, rg_use_name(use), problem);
     }
-    rg_fault_if(c, use->view_format && !is_view_format(use), RG_ERROR_FORMAT, name,
+    rg_fault_if(c, use->view_format && !is_view_format(use), RG_ERROR_FORMAT, rg_use_name(use),
                 "view_format: expected a colour format of the size of the image's, in a shader's "
                 "use without fallback");
     const struct rg_range *r = &use->range;
     rg_fault_if(c, use->buffer && (r->aspect | r->mip | r->mip_count | r->layer | r->layer_count),
-                RG_ERROR_RANGE, name, "range: expected {0}, since a pass uses all of a buffer");
+                RG_ERROR_RANGE, rg_use_name(use),
+                "range: expected {0}, since a pass uses all of a buffer");
 }
 
 /* Returns true if `use` continues the descriptor array of the use `before`, which may be NULL. */
@@ -107,7 +144,8 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
     bool writes =
         pass->kind == RG_RASTER && (color_count || !pass->depth.image || !pass->depth_read_only);
     bool ascending = true;
-    const struct rg_use *before = NULL; /* the last use with a descriptor */
+    uint64_t binding = 0;               /* above that of the last use with a descriptor */
+    const struct rg_use *before = NULL; /* that use */
     const struct rg_use *use = pass->uses;
     for (; use && rg_is_use(use); use++) {
         check_use(c, pass, use);
@@ -115,7 +153,8 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
                             rg_access_table[use->access].writes_content);
         if (!rg_is_shader_access(use->access))
             continue;
-        ascending = ascending && (use->element || !before || use->binding > before->binding);
+        ascending = ascending && (use->element || use->binding >= binding);
+        binding = use->binding + UINT64_C(1);
         rg_fault_if(
             c, use->element && !is_next_element(use, before), RG_ERROR_VALUE, rg_use_name(use),
             "element: expected one more than that of the previous use, with the same binding, "

@@ -174,7 +174,7 @@ static void check_image(const struct shaders *s, const struct spirv *stage,
 {
     const struct rg_image *image = use->image;
     const struct resource *known = rg_map_find(&s->c->by_address, image)->value; /* or NULL */
-    uint32_t layers = known ? known->all.layerCount : rg_declared_layers(image);
+    uint32_t layers = known ? known->all.layer_count : rg_declared_layers(image);
     uint32_t dim = image->depth ? SpvDim3D : SpvDim2D;
     bool cube = image->cube && use->access == RG_SAMPLED && named_layers(s, use, layers) == 6;
     bool array = !cube && (layers > 1 || image->array);

@@ -42,10 +42,9 @@ static void run(struct compiler *c)
     if (!rg_check_params(c))
         return;
     /* so that the tables are not copied as they grow */
-    rg_map_reserve(c->arena, &c->by_address, c->row_count + c->row_count / 2);
-    rg_map_reserve(c->arena, &c->resource_names, c->row_count + c->row_count / 2);
-    rg_map_reserve(c->arena, &c->pass_names, c->row_count);
-    if (c->arena->failed)
+    if (!rg_map_reserve(c->arena, &c->by_address, c->row_count + c->row_count / 2) ||
+        !rg_map_reserve(c->arena, &c->resource_names, c->row_count + c->row_count / 2) ||
+        !rg_map_reserve(c->arena, &c->pass_names, c->row_count))
         return;
     rg_add_boundary(c);
     rg_expand(c);
@@ -108,7 +107,7 @@ struct rg_plan *rg_compile(const struct rg_compile_params *params)
 
 void rg_plan_destroy(struct rg_plan *plan)
 {
-    if (!plan)
+    if (!plan || __atomic_fetch_or(&plan->users, RG_PLAN_DESTROYED, __ATOMIC_ACQ_REL))
         return;
     struct arena arena = ((struct owned_plan *)plan)->arena;
     rg_arena_finish(&arena); /* also frees the plan itself */

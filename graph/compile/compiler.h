@@ -12,6 +12,9 @@
 #include "graph/compile/spirv_reflection.h"
 #include "graph/rg.h"
 
+/* Functions called for each access, which compilers would not inline by themselves. */
+#define RG_INLINE static inline __attribute__((always_inline))
+
 /* Values of cell.filled, which tells if earlier passes have written the subresource. */
 enum {
     CELL_EMPTY,
@@ -27,6 +30,7 @@ enum {
     ACCESS_NEEDED = 1 << 3,      /* the result is needed later */
     ACCESS_CONDITIONAL = 1 << 4, /* does not happen in every frame */
     ACCESS_TEXELS = 1 << 5,      /* through a texel buffer view */
+    ACCESS_DROPPED = 1 << 6,     /* unneeded target, to be left out */
 };
 
 /* struct cell.flags */
@@ -63,31 +67,46 @@ struct cell_queues {
 
 #define RG_SIZE_OVERFLOW UINT64_MAX
 
+/* Subresources: aspects, mip levels and array layers. */
+struct range {
+    uint16_t layer, layer_count;
+    uint8_t mip, mip_count;
+    uint8_t aspects; /* VkImageAspectFlags */
+};
+
+/* Fields are in the order of their use, so that each stage reads few cache lines. */
 struct resource {
-    const char *name;             /* "?" if the table has none */
-    const struct rg_image *image; /* NULL for a buffer */
-    const struct rg_buffer *buffer;
-    struct cell *cells; /* ordered by aspect, mip level, layer */
-    uint32_t cell_count;
-    bool persistent;
-    bool shared;                         /* its memory may alias other resources */
-    VkImageSubresourceRange all;         /* full range; buffers: one colour subresource */
-    VkExtent2D extent, max_extent;       /* in the view; in params->max_view */
-    uint32_t depth;                      /* 1 unless the image is 3D */
-    const struct rg_format_info *format; /* NULL: unknown format, or a buffer */
-    VkDeviceSize size, max_size;         /* buffer size in bytes, or RG_SIZE_OVERFLOW */
-    uint32_t import, output;             /* index into params->imports, outputs, or RG_NONE */
-    uint32_t first, last;                /* lifetime in passes; RG_NONE if unused */
-    VkFlags usage;                       /* VkImageUsageFlags or VkBufferUsageFlags */
-    bool is_mutable;                     /* some use has a view_format that differs */
-    uint32_t plan_image, plan_buffer;    /* indices into the plan, or RG_NONE */
-    uint32_t item;                       /* index into compiler.owners, or RG_NONE */
-    uint32_t acquired_before;            /* pass before which memory is acquired */
-    uint32_t last_barrier;               /* its newest barrier, or RG_NONE */
+    const struct rg_image *image;    /* NULL for a buffer */
+    struct cell *cells;              /* ordered by aspect, mip level, layer */
     struct resource *partner;        /* resource that it is swapped with after a frame, or NULL */
     struct cell_queues *queue_cells; /* parallel to `cells`; NULL if only the main queue has it */
-    uint32_t queues;                 /* mask of the queues of its accesses */
-    struct cell cell[];              /* storage for `cells` of single-cell resources */
+    struct range all;                /* full range; buffers: one colour subresource */
+    uint32_t cell_count;
+    bool persistent;
+    bool shared;                      /* its memory may alias other resources */
+    bool is_mutable;                  /* some use has a view_format that differs */
+    uint8_t queues;                   /* mask of the queues of its accesses */
+    uint32_t plan_image, plan_buffer; /* indices into the plan, or RG_NONE */
+    uint32_t first, last;             /* lifetime in passes; RG_NONE if unused */
+    VkFlags usage;                    /* VkImageUsageFlags or VkBufferUsageFlags */
+    uint32_t item;                    /* index into compiler.owners, or RG_NONE */
+    uint32_t acquired_before;         /* pass before which memory is acquired */
+    uint32_t last_barrier;            /* its newest barrier, or RG_NONE */
+    const char *name;                 /* "?" if the table has none */
+    const struct rg_buffer *buffer;
+    uint32_t import, output; /* index into params->imports, outputs, or RG_NONE */
+    uint32_t depth;          /* 1 unless the image is 3D */
+
+    union {
+        struct {
+            VkExtent2D extent, max_extent; /* in the view; in params->max_view */
+        };
+
+        struct {
+            VkDeviceSize size, max_size; /* of a buffer, in bytes, or RG_SIZE_OVERFLOW */
+        };
+    };
+    struct cell cell[]; /* storage for `cells` of single-cell resources */
 };
 
 struct access {
@@ -95,11 +114,11 @@ struct access {
     const void *declared; /* a rg_use or rg_target */
     struct cell *cells;   /* first cell of the range */
     uint32_t cell_count;  /* number of cells in the range */
-    VkImageSubresourceRange range;
-    enum rg_access kind;
-    uint32_t flags;
+    struct range range;
+    uint8_t kind;  /* enum rg_access */
+    uint8_t queue; /* enum rg_queue */
+    uint8_t flags;
     uint32_t visibility; /* reads: mask of (stage, access) pairs */
-    enum rg_queue queue;
     VkImageLayout layout;
     VkPipelineStageFlags2 stages;
     VkAccessFlags2 mask; /* all its Vulkan accesses */
@@ -107,8 +126,8 @@ struct access {
 
 struct pass {
     uint32_t first_access, access_count;
-    uint32_t first_dropped, dropped_count; /* unneeded targets; index relative to first_access */
-    bool alive;                            /* not culled */
+    bool alive; /* not culled */
+    bool drops; /* has accesses with ACCESS_DROPPED */
     enum rg_queue queue;
 };
 
@@ -250,10 +269,6 @@ static inline bool rg_is_shader_access(enum rg_access kind)
     return kind >= RG_SAMPLED && kind <= RG_TRACE;
 }
 
-/* Initialises `a` as an access of this kind to a whole resource, and returns `a`. */
-struct access *rg_access_init(struct access *a, struct resource *r, enum rg_access kind,
-                              VkPipelineStageFlags2 stages);
-
 /* Returns the image or buffer usage flags that an access requires. */
 static inline VkFlags rg_usage(const struct resource *r, enum rg_access kind)
 {
@@ -261,17 +276,33 @@ static inline VkFlags rg_usage(const struct resource *r, enum rg_access kind)
     return r->image ? info->image_usage : info->buffer_usage;
 }
 
-/* Returns the access to an import before the frame, or to an output after the frame. */
-struct access rg_boundary_access(struct resource *r, enum rg_access kind);
+/* Returns all shader stages of a kind of pass. Invalid kinds are treated as compute. */
+static inline VkShaderStageFlags rg_shader_stages(enum rg_kind kind)
+{
+    return kind == RG_RASTER     ? VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT
+           : kind == RG_TRANSFER ? 0
+                                 : VK_SHADER_STAGE_COMPUTE_BIT;
+}
 
 /* Returns the pipeline stages of shaders. */
-VkPipelineStageFlags2 rg_pipeline_stages(VkShaderStageFlags shaders);
+static inline VkPipelineStageFlags2 rg_pipeline_stages(VkShaderStageFlags shaders)
+{
+    return (shaders & (VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT)) << 3 |
+           (shaders & VK_SHADER_STAGE_COMPUTE_BIT) << 6;
+}
 
-/* Returns the shader stages of a use: those declared, or the default for the kind of pass. */
-VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_use *use);
-
-/* Returns an error hint if this kind of pass does not support a use, otherwise NULL. */
-const char *rg_use_problem(const struct rg_pass *pass, const struct rg_use *use);
+/* Returns the stages of a use: those declared, or the default for the kind of pass. */
+static inline VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass,
+                                                  const struct rg_use *use)
+{
+    if (rg_access_table[use->access].stages)
+        return rg_access_table[use->access].stages;
+    if (use->stages)
+        return rg_pipeline_stages(use->stages);
+    return pass->kind == RG_RASTER && use->access != RG_UNIFORM
+               ? VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT
+               : rg_pipeline_stages(rg_shader_stages(pass->kind));
+}
 
 /* Returns the format in which shaders see the image of a use. */
 static inline VkFormat rg_view_format(const struct rg_use *use)
@@ -293,9 +324,9 @@ struct cell_walk {
 static inline struct cell *rg_find_cell(const struct resource *r, VkImageAspectFlags aspects,
                                         uint32_t mip, uint32_t layer)
 {
-    VkImageAspectFlags below = r->all.aspectMask & ((aspects & (~aspects + 1)) - 1);
-    uint32_t row = (below ? r->all.levelCount : 0) + mip;
-    return &r->cells[row * r->all.layerCount + layer];
+    VkImageAspectFlags below = r->all.aspects & ((aspects & (~aspects + 1)) - 1);
+    uint32_t row = (below ? r->all.mip_count : 0) + mip;
+    return &r->cells[row * r->all.layer_count + layer];
 }
 
 static inline struct cell_walk rg_cells(const struct access *a)
@@ -304,22 +335,22 @@ static inline struct cell_walk rg_cells(const struct access *a)
         .access = a,
         .cell = a->cells,
         .remaining = a->cell_count,
-        .aspects = a->range.aspectMask,
-        .mip = a->range.baseMipLevel,
-        .layer = a->range.baseArrayLayer,
+        .aspects = a->range.aspects,
+        .mip = a->range.mip,
+        .layer = a->range.layer,
     };
 }
 
 /* Advances to the next cell. The layer varies fastest, then the mip level, then the aspect. */
 static inline void rg_next_cell(struct cell_walk *w)
 {
-    const VkImageSubresourceRange *range = &w->access->range;
+    const struct range *range = &w->access->range;
     w->cell = --w->remaining ? w->cell + 1 : NULL;
-    if (!w->cell || ++w->layer < range->baseArrayLayer + range->layerCount)
+    if (!w->cell || ++w->layer < (uint32_t)range->layer + range->layer_count)
         return;
-    w->layer = range->baseArrayLayer;
-    if (++w->mip == range->baseMipLevel + range->levelCount) {
-        w->mip = range->baseMipLevel;
+    w->layer = range->layer;
+    if (++w->mip == (uint32_t)range->mip + range->mip_count) {
+        w->mip = range->mip;
         w->aspects &= w->aspects - 1;
     }
     w->cell = rg_find_cell(w->access->resource, w->aspects, w->mip, w->layer);
@@ -412,9 +443,23 @@ static inline bool rg_is_history(const struct resource *r)
     return r->partner && r->image->previous;
 }
 
+/* Adds the resource of an image or buffer, as *value. NULL if out of memory. */
+struct resource *rg_add_resource(struct compiler *c, const struct rg_image *image,
+                                 const struct rg_buffer *buffer, void **value);
+
 /* Returns the resource of an image or buffer, adding it on first use. NULL if out of memory. */
-struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,
-                                const struct rg_buffer *buffer);
+static inline struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,
+                                              const struct rg_buffer *buffer)
+{
+    const void *address = image ? (const void *)image : (const void *)buffer;
+    void **value = rg_map_value(c->arena, &c->by_address, address);
+    if (value && *value)
+        return *value;
+    return value ? rg_add_resource(c, image, buffer, value) : NULL;
+}
+
+/* expand_passes.c: returns the access to an import before the frame, or to an output after it. */
+struct access rg_boundary_access(struct resource *r, enum rg_access kind);
 
 /* ---- compiler stages in execution order; each requires the previous ones ---- */
 

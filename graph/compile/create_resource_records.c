@@ -66,8 +66,6 @@ bool rg_check_params(struct compiler *c)
 static void check_output_memory(struct compiler *c, const struct resource *r)
 {
     enum rg_access access = c->params->outputs[r->output].access;
-    if (r->import != RG_NONE)
-        return;
     if (access == RG_PRESENT)
         rg_fault_of(c, RG_ERROR_ACCESS, r->name, "only an imported image can be presented");
     if (access == RG_HOST_READ && !(r->buffer && r->buffer->memory == RG_MEMORY_READBACK))
@@ -87,17 +85,17 @@ static bool has_fault(struct compiler *c, const struct resource *r, bool wrong, 
 static bool is_bad_image(struct compiler *c, const struct resource *r)
 {
     const struct rg_image *image = r->image;
-    const uint32_t layers = r->all.layerCount, mips = r->all.levelCount, samples = image->samples;
+    const uint32_t layers = r->all.layer_count, mips = r->all.mip_count, samples = image->samples;
     uint32_t max_side =
         r->max_extent.width > r->max_extent.height ? r->max_extent.width : r->max_extent.height;
-    return has_fault(c, r, !r->format, RG_ERROR_FORMAT,
+    return has_fault(c, r, !r->all.aspects, RG_ERROR_FORMAT,
                      "choose a format that the graph supports (graph/compile/format_table.c)") ||
            has_fault(c, r, !(image->scale >= 0.0f), RG_ERROR_NO_SIZE,
                      "scale: expected a positive number") ||
            has_fault(
                c, r,
                image->depth && (layers > 1 || image->cube || image->array || samples > 1 ||
-                                r->all.aspectMask != VK_IMAGE_ASPECT_COLOR_BIT),
+                                r->all.aspects != VK_IMAGE_ASPECT_COLOR_BIT),
                RG_ERROR_VALUE,
                "depth: expected a colour format, one layer and one sample, no cube and no array") ||
            has_fault(c, r,
@@ -164,18 +162,25 @@ static VkExtent2D extent_of(const struct rg_compile_params *params, const struct
     };
 }
 
+/* Sets the number of layers and mip levels; a number that is too large is reported later. */
+static void set_counts(struct resource *r, uint32_t layers, uint32_t mips)
+{
+    r->all.layer_count = (uint16_t)(layers < UINT16_MAX ? layers : UINT16_MAX);
+    r->all.mip_count = (uint8_t)(mips < UINT8_MAX ? mips : UINT8_MAX);
+}
+
 static void size_image(struct resource *r, const struct rg_image *image, const struct compiler *c)
 {
-    r->format = rg_format_info(image->format);
+    const struct rg_format_info *format = rg_format_info(image->format);
     r->extent = extent_of(c->params, image, c->params->view);
     r->max_extent =
         c->params->max_view.width ? extent_of(c->params, image, c->max_view) : r->extent;
     r->depth = image->depth ? image->depth : 1;
-    r->all.aspectMask = r->format ? r->format->aspects : VK_IMAGE_ASPECT_COLOR_BIT;
-    r->all.layerCount = rg_declared_layers(image);
-    r->all.levelCount = image->mips == RG_ALL_MIPS ? rg_full_chain(r->extent, r->depth)
-                        : image->mips              ? image->mips
-                                                   : 1;
+    r->all.aspects = format ? (uint8_t)format->aspects : 0;
+    set_counts(r, rg_declared_layers(image),
+               image->mips == RG_ALL_MIPS ? rg_full_chain(r->extent, r->depth)
+               : image->mips              ? image->mips
+                                          : 1);
     r->persistent = image->persistent;
 }
 
@@ -198,26 +203,27 @@ static VkDeviceSize buffer_size(const struct rg_compile_params *params,
 static void size_import(struct resource *r, const struct rg_import *import)
 {
     r->persistent = false;
-    if (import->size)
-        r->size = r->max_size = import->size;
+    if (!r->image) {
+        if (import->size)
+            r->size = r->max_size = import->size;
+        return;
+    }
     if (import->extent.width && import->extent.height)
         r->extent = r->max_extent = import->extent;
-    if (r->image && r->image->depth && import->depth)
+    if (r->image->depth && import->depth)
         r->depth = import->depth;
-    if (r->image && r->image->mips == RG_ALL_MIPS)
-        r->all.levelCount = rg_full_chain(r->extent, r->depth);
-    if (r->image && import->layers)
-        r->all.layerCount = import->layers;
-    if (r->image && import->mips)
-        r->all.levelCount = import->mips;
+    set_counts(r, import->layers ? import->layers : r->all.layer_count,
+               import->mips                    ? import->mips
+               : r->image->mips == RG_ALL_MIPS ? rg_full_chain(r->extent, r->depth)
+                                               : r->all.mip_count);
 }
 
 /* Allocates the states of a resource's subresources and initialises them. barriers.c adds
  * the states of imports, persistent resources and aliased memory. */
 static void add_cells(struct compiler *c, struct resource *r, const struct rg_import *import)
 {
-    uint64_t aspects = r->all.aspectMask & (r->all.aspectMask - 1) ? 2 : 1;
-    uint64_t count = aspects * r->all.levelCount * r->all.layerCount;
+    uint64_t aspects = r->all.aspects & (r->all.aspects - 1) ? 2 : 1;
+    uint64_t count = aspects * r->all.mip_count * r->all.layer_count;
     bool upload = r->buffer && r->buffer->memory == RG_MEMORY_UPLOAD;
     bool filled = upload || r->persistent || (import && import->access != RG_ACCESS_NONE);
     r->cell_count = (uint32_t)count;
@@ -235,11 +241,9 @@ static void check_name(struct compiler *c, struct resource *r)
 {
     const char *name = r->image ? r->image->name : r->buffer->name;
     r->name = name ? name : "?";
-    if (!name) {
+    if (!name)
         rg_fault_of(c, RG_ERROR_NO_NAME, r->name, "give the resource a name");
-        return;
-    }
-    if (rg_map_add_text(c->arena, &c->resource_names, name))
+    else if (rg_map_add_text(c->arena, &c->resource_names, name))
         rg_fault_of(c, RG_ERROR_DUPLICATE_NAME, name, "give each resource a unique name");
 }
 
@@ -247,13 +251,18 @@ static void check_name(struct compiler *c, struct resource *r)
 static struct resource *add_resource(struct compiler *c, const struct rg_image *image,
                                      const struct rg_buffer *buffer, const struct rg_import *import)
 {
-    /* zeroed by memset(): for a struct initializer, compilers inline a slower loop */
-    struct resource *r = rg_arena_zeroed(c->arena, 1, sizeof(*r) + sizeof(struct cell));
+    struct resource *r = rg_arena_alloc(c->arena, 1, sizeof(*r) + sizeof(struct cell));
     if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room,
                     c->row_count * 2) ||
         !r)
         return NULL;
-    r->all = (VkImageSubresourceRange){ VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 };
+    /* field by field: for an initializer of the struct, compilers inline a slower loop */
+    r->partner = NULL;
+    r->queue_cells = NULL;
+    r->all = (struct range){ 0, 1, 0, 1, VK_IMAGE_ASPECT_COLOR_BIT };
+    r->is_mutable = false;
+    r->queues = 0;
+    r->usage = 0;
     r->depth = 1;
     r->output = r->first = r->last = r->plan_image = r->plan_buffer = RG_NONE;
     r->item = r->last_barrier = RG_NONE;
@@ -271,8 +280,10 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
         size_import(r, import);
     r->shared = !import && !r->persistent && (image || buffer->memory == RG_MEMORY_DEVICE);
     check_name(c, r);
-    if (image ? is_bad_image(c, r) : is_bad_buffer(c, r))
-        r->all.layerCount = r->all.levelCount = 1; /* so that later stages can handle it */
+    if (image ? is_bad_image(c, r) : is_bad_buffer(c, r)) { /* so that later stages can handle it */
+        set_counts(r, 1, 1);
+        r->all.aspects = r->all.aspects ? r->all.aspects : VK_IMAGE_ASPECT_COLOR_BIT;
+    }
     add_cells(c, r, import);
     c->persistent_count += r->persistent;
     c->resources[c->resource_count++] = r;
@@ -284,9 +295,9 @@ static bool is_alike(const struct resource *a, const struct resource *b)
     return a->image->format == b->image->format && a->extent.width == b->extent.width &&
            a->extent.height == b->extent.height && a->depth == b->depth &&
            a->max_extent.width == b->max_extent.width &&
-           a->max_extent.height == b->max_extent.height && a->all.layerCount == b->all.layerCount &&
-           a->all.levelCount == b->all.levelCount && a->image->samples == b->image->samples &&
-           a->image->cube == b->image->cube;
+           a->max_extent.height == b->max_extent.height &&
+           a->all.layer_count == b->all.layer_count && a->all.mip_count == b->all.mip_count &&
+           a->image->samples == b->image->samples && a->image->cube == b->image->cube;
 }
 
 /* Makes an image persistent. Its subresources have content at the start of a frame, or have
@@ -321,13 +332,9 @@ static void pair(struct compiler *c, struct resource *history)
     make_persistent(c, r, false);
 }
 
-struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,
-                                const struct rg_buffer *buffer)
+struct resource *rg_add_resource(struct compiler *c, const struct rg_image *image,
+                                 const struct rg_buffer *buffer, void **value)
 {
-    const void *address = image ? (const void *)image : (const void *)buffer;
-    void **value = rg_map_value(c->arena, &c->by_address, address);
-    if (!value || *value)
-        return value ? *value : NULL;
     struct resource *r = *value = add_resource(c, image, buffer, NULL);
     if (r && image && image->previous)
         pair(c, r);
@@ -359,7 +366,8 @@ static void add_output(struct compiler *c, uint32_t index)
         rg_fault_of(c, RG_ERROR_LISTED_TWICE, r->name, "list an output once");
     else
         r->output = index;
-    check_output_memory(c, r);
+    if (r->import == RG_NONE)
+        check_output_memory(c, r);
 }
 
 void rg_add_boundary(struct compiler *c)

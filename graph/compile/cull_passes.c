@@ -1,16 +1,17 @@
 /* cull_passes.c: removes passes and trailing colour targets whose results no output needs, by
  * backward liveness analysis. */
-#include <string.h>
 #include "graph/compile/compiler.h"
 
 enum {
     MAX_ROUNDS = 16 /* maximum number of iterations */
 };
 
-/* Starts an iteration: marks outputs and persistent content of the next frame as needed. */
+/* Starts an iteration: marks outputs and persistent content of the next frame as needed. Nothing
+ * else is needed before the first one. */
 static void begin_round(struct compiler *c, uint32_t round)
 {
-    for (uint32_t i = 0; i < c->resource_count; i++) {
+    const uint32_t count = c->persistent_count ? c->resource_count : c->boundary_count;
+    for (uint32_t i = 0; i < count; i++) {
         const struct resource *r = c->resources[i];
         for (uint32_t k = 0; k < r->cell_count; k++) {
             struct cell *cell = &r->cells[k];
@@ -21,25 +22,18 @@ static void begin_round(struct compiler *c, uint32_t round)
     }
 }
 
-/* Returns true if an access writes anything that later passes or outputs need. */
-static bool writes_needed_content(const struct access *a)
-{
-    if (!(a->flags & ACCESS_WRITES))
-        return false;
-    for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
-        if (w.cell->is_needed)
-            return true;
-    }
-    return false;
-}
-
 /* Marks the accesses of a pass whose results are needed later. Returns true if any is marked. */
 static bool find_needed(struct access *first, const struct access *end)
 {
     bool any = false;
     for (struct access *a = first; a < end; a++) {
-        bool needed = writes_needed_content(a);
-        a->flags = needed ? a->flags | ACCESS_NEEDED : a->flags & ~(uint32_t)ACCESS_NEEDED;
+        bool needed = false;
+        a->flags &= (uint8_t) ~(ACCESS_NEEDED | ACCESS_DROPPED);
+        if (!(a->flags & ACCESS_WRITES))
+            continue;
+        for (struct cell_walk w = rg_cells(a); w.cell && !needed; rg_next_cell(&w))
+            needed = w.cell->is_needed;
+        a->flags |= needed ? ACCESS_NEEDED : 0;
         any = any || needed;
     }
     return any;
@@ -49,7 +43,7 @@ static bool find_needed(struct access *first, const struct access *end)
 static void mark_needed_content(const struct access *first, const struct access *end)
 {
     for (const struct access *a = first; a < end; a++) {
-        if (!(a->flags & (ACCESS_OVERWRITES | ACCESS_READS)))
+        if (!(a->flags & (ACCESS_OVERWRITES | ACCESS_READS)) || a->flags & ACCESS_DROPPED)
             continue;
         for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w))
             w.cell->is_needed = a->flags & ACCESS_READS;
@@ -59,20 +53,18 @@ static void mark_needed_content(const struct access *first, const struct access 
 /* Finds a pass's trailing colour targets, and their resolve targets, that nothing needs. The first
  * target is kept, so that the pass keeps its number of samples, and earlier targets are kept, so
  * that the locations of the others do not change. Rows without a fragment shader keep all, because
- * the application may bind its own pipelines, created for the declared targets. */
-static void find_dropped(struct pass *pass, const struct rg_pass *row, const struct access *first)
+ * the application may bind its own pipelines, created for the declared targets. Returns true if any
+ * is found. */
+static bool find_dropped(struct access *first, const struct access *end, const struct rg_pass *row)
 {
-    uint32_t end = 0;
-    while (row->frag && end < pass->access_count &&
-           (first[end].kind == RG_COLOR || first[end].kind == RG_RESOLVE))
-        end++;
-    uint32_t keep = end;
-    while (keep > 1 && !(first[keep - 1].flags & ACCESS_NEEDED))
-        keep--;
-    if (keep < end && first[keep].kind == RG_RESOLVE) /* of a target that is kept */
-        keep++;
-    pass->first_dropped = keep;
-    pass->dropped_count = end - keep;
+    struct access *a = first + 1;
+    while (a < end && (a->kind == RG_COLOR || a->kind == RG_RESOLVE))
+        a++;
+    for (; a - 1 > first && !(a[-1].flags & ACCESS_NEEDED) && row->frag; a--)
+        a[-1].flags |= ACCESS_DROPPED;
+    if (a < end && a->kind == RG_RESOLVE) /* of a target that is kept */
+        a++->flags &= (uint8_t)~ACCESS_DROPPED;
+    return a < end && a->flags & ACCESS_DROPPED;
 }
 
 static void cull_round(struct compiler *c)
@@ -84,9 +76,8 @@ static void cull_round(struct compiler *c)
         pass->alive = find_needed(first, end);
         if (!pass->alive)
             continue;
-        find_dropped(pass, c->plan_passes[p].pass, first);
-        mark_needed_content(first, first + pass->first_dropped);
-        mark_needed_content(first + pass->first_dropped + pass->dropped_count, end);
+        pass->drops = first->kind == RG_COLOR && find_dropped(first, end, c->plan_passes[p].pass);
+        mark_needed_content(first, end);
     }
 }
 
@@ -107,12 +98,14 @@ static bool needs_another_round(const struct compiler *c)
 }
 
 /* Removes the accesses of the dropped targets. */
-static void remove_dropped(struct compiler *c, struct pass *pass)
+static void remove_dropped(struct pass *pass, struct access *first)
 {
-    struct access *dropped = &c->accesses[pass->first_access + pass->first_dropped];
-    pass->access_count -= pass->dropped_count;
-    memmove(dropped, dropped + pass->dropped_count,
-            (pass->access_count - pass->first_dropped) * sizeof(*dropped));
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < pass->access_count; i++) {
+        if (!(first[i].flags & ACCESS_DROPPED))
+            first[count++] = first[i];
+    }
+    pass->access_count = count;
 }
 
 /* Removes the culled passes, and lists them in the plan. */
@@ -125,8 +118,8 @@ static void remove_culled(struct compiler *c)
         if (!c->passes[p].alive) {
             culled[plan->culled_count++] = (struct rg_culled){ pass->pass, pass->repetition };
         } else {
-            if (c->passes[p].dropped_count)
-                remove_dropped(c, &c->passes[p]);
+            if (c->passes[p].drops)
+                remove_dropped(&c->passes[p], &c->accesses[c->passes[p].first_access]);
             c->passes[plan->pass_count] = c->passes[p];
             c->plan_passes[plan->pass_count++] = *pass;
         }

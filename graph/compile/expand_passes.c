@@ -1,6 +1,56 @@
 /* expand_passes.c: expands pass declarations to passes (one per repetition) and their accesses. */
 #include "graph/compile/compiler.h"
 
+/* ---- accesses ---- */
+
+/* Lowest bit of each access in the mask cell.visible. Shader accesses use 3 bits, one per stage. */
+static const uint32_t visibility_bits[RG_ACCESS_COUNT] = {
+    [RG_SAMPLED] = 1 << 0,   [RG_STORAGE_READ] = 1 << 3, [RG_UNIFORM] = 1 << 6,
+    [RG_COLOR] = 1 << 9,     [RG_DEPTH] = 1 << 10,       [RG_DEPTH_READ] = 1 << 10,
+    [RG_VERTEX] = 1 << 11,   [RG_INDEX] = 1 << 12,       [RG_INDIRECT] = 1 << 13,
+    [RG_COPY_SRC] = 1 << 14, [RG_HOST_READ] = 1 << 15,   [RG_TRACE] = 1 << 16,
+};
+
+static uint32_t visibility_of(enum rg_access kind, VkPipelineStageFlags2 stages)
+{
+    uint32_t bit = visibility_bits[kind];
+    if (!rg_is_shader_access(kind))
+        return bit;
+    /* bits 3, 7 and 11 of the stages become 0, 1 and 2 */
+    uint32_t shaders = (uint32_t)((stages >> 3 & 1) | (stages >> 6 & 2) | (stages >> 9 & 4));
+    return bit * shaders | (stages & ~RG_ANY_SHADER ? ~RG_VISIBLE_TO_ALL : 0);
+}
+
+/* Initialises `a` as an access of this kind to a whole resource, and returns `a`. */
+static inline struct access *init_access(struct access *a, struct resource *r, enum rg_access kind,
+                                         VkPipelineStageFlags2 stages)
+{
+    const struct rg_access_info *info = &rg_access_table[kind];
+    a->resource = r;
+    a->declared = NULL;
+    a->cells = r->cells;
+    a->cell_count = r->cell_count;
+    a->range = r->all;
+    a->kind = (uint8_t)kind;
+    a->queue = RG_QUEUE_MAIN;
+    a->flags = (uint8_t)(info->reads_content * ACCESS_READS | info->writes_content * ACCESS_WRITES);
+    a->visibility = info->writes_content ? 0 : visibility_of(kind, stages);
+    a->layout = r->image ? info->layout : VK_IMAGE_LAYOUT_UNDEFINED;
+    a->stages = stages;
+    a->mask = info->reads | info->writes;
+    return a;
+}
+
+struct access rg_boundary_access(struct resource *r, enum rg_access kind)
+{
+    const struct rg_access_info *info = &rg_access_table[kind];
+    bool shader = !info->stages && (info->reads || info->writes);
+    struct access a;
+    init_access(&a, r, kind, shader ? RG_ANY_SHADER : info->stages);
+    a.flags |= ACCESS_READS;
+    return a;
+}
+
 /* ---- subresources that an access reads and writes ---- */
 
 static bool is_filled(const struct compiler *c, const struct cell *cell, rg_when_fn *when)
@@ -8,15 +58,6 @@ static bool is_filled(const struct compiler *c, const struct cell *cell, rg_when
     return cell->filled == CELL_FILLED ||
            (cell->filled >= CELL_FILLED_BY &&
             c->plan_passes[cell->filled - CELL_FILLED_BY].pass->when == when);
-}
-
-/* Returns the pass's earlier access to the same subresource if an access conflicts with it. */
-static const struct access *find_conflict(const struct compiler *c, const struct cell *cell,
-                                          const struct access *a)
-{
-    const struct access *before = &c->accesses[cell->last_access - 1];
-    bool conflicts = ((a->flags | before->flags) & ACCESS_WRITES) || a->layout != before->layout;
-    return conflicts ? before : NULL;
 }
 
 static void report_conflict(struct compiler *c, const struct access *before, const struct access *a)
@@ -36,60 +77,60 @@ static void report_conflict(struct compiler *c, const struct access *before, con
                   names[0], names[1]);
 }
 
-static bool is_in_range(const struct resource *r, const VkImageSubresourceRange *range)
-{
-    return range->aspectMask && !(range->aspectMask & ~r->all.aspectMask) && range->levelCount &&
-           range->layerCount && range->baseMipLevel < r->all.levelCount &&
-           range->levelCount <= r->all.levelCount - range->baseMipLevel &&
-           range->baseArrayLayer < r->all.layerCount &&
-           range->layerCount <= r->all.layerCount - range->baseArrayLayer;
-}
-
 /* Initialises an access, to be added by keep_access(). Returns NULL if out of memory. */
-static struct access *next_access(struct compiler *c, struct resource *r, enum rg_access kind,
-                                  VkPipelineStageFlags2 stages)
+RG_INLINE struct access *next_access(struct compiler *c, struct resource *r, enum rg_access kind,
+                                     VkPipelineStageFlags2 stages)
 {
     if (!r || !ARENA_ROOM(c->arena, c->accesses, c->access_count, c->access_room, c->row_count * 8))
         return NULL;
-    return rg_access_init(&c->accesses[c->access_count], r, kind, stages);
+    return init_access(&c->accesses[c->access_count], r, kind, stages);
 }
 
-/* Finds the cells of an access's range. Reports a fault and returns false for an invalid range. */
-static bool find_cells(struct compiler *c, struct access *a)
+/* Sets an access's range and its cells. Reports a fault and returns false for an invalid range. */
+static bool set_range(struct compiler *c, struct access *a, const VkImageSubresourceRange *range)
 {
-    const VkImageSubresourceRange *range = &a->range;
-    bool fits = is_in_range(a->resource, range);
+    const struct range *all = &a->resource->all;
+    const uint32_t aspects = range->aspectMask;
+    const bool fits = aspects && !(aspects & ~(uint32_t)all->aspects) && range->levelCount &&
+                      range->layerCount && range->baseMipLevel < all->mip_count &&
+                      range->levelCount <= all->mip_count - range->baseMipLevel &&
+                      range->baseArrayLayer < all->layer_count &&
+                      range->layerCount <= all->layer_count - range->baseArrayLayer;
     rg_fault_if(c, !fits, RG_ERROR_RANGE, a->resource->name,
                 "name a mip, layer and aspect that the image has");
     if (!fits)
         return false;
-    a->cells =
-        rg_find_cell(a->resource, range->aspectMask, range->baseMipLevel, range->baseArrayLayer);
-    a->cell_count = (range->aspectMask & (range->aspectMask - 1) ? 2 : 1) * range->levelCount *
-                    range->layerCount;
+    a->range = (struct range){ (uint16_t)range->baseArrayLayer, (uint16_t)range->layerCount,
+                               (uint8_t)range->baseMipLevel, (uint8_t)range->levelCount,
+                               (uint8_t)aspects };
+    a->cells = rg_find_cell(a->resource, aspects, range->baseMipLevel, range->baseArrayLayer);
+    a->cell_count = (aspects & (aspects - 1) ? 2 : 1) * range->levelCount * range->layerCount;
     return true;
 }
 
 /* Adds a prepared access to the pass. If the pass is conditional, earlier content is kept. */
-static void keep_access(struct compiler *c, struct access *a, const char *unfilled_hint)
+RG_INLINE void keep_access(struct compiler *c, struct access *a, const char *unfilled_hint)
 {
     const char *name = a->resource->name;
-    VkImageAspectFlags aspects = a->range.aspectMask;
+    VkImageAspectFlags aspects = a->range.aspects;
     rg_when_fn *when = c->pass->pass->when;
     uint32_t first = c->passes[c->pass_count].first_access;
     uint32_t filled_now = when ? CELL_FILLED_BY + c->pass_count : CELL_FILLED;
     const struct access *conflict = NULL;
     bool all_filled = true;
-    a->queue = c->passes[c->pass_count].queue;
+    a->queue = (uint8_t)c->passes[c->pass_count].queue;
     if (when)
-        a->flags = (a->flags & ~(uint32_t)ACCESS_OVERWRITES) | ACCESS_CONDITIONAL;
+        a->flags = (a->flags & (uint8_t)~ACCESS_OVERWRITES) | ACCESS_CONDITIONAL;
     rg_fault_if(c, (aspects & (aspects - 1)) && rg_is_shader_access(a->kind), RG_ERROR_RANGE, name,
                 "range: expected depth or stencil, since a shader reads only one aspect");
     for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
         bool filled = is_filled(c, w.cell, when);
         all_filled = all_filled && filled;
-        if (!conflict && w.cell->last_access > first)
-            conflict = find_conflict(c, w.cell, a);
+        if (!conflict && w.cell->last_access > first) { /* accessed by this pass before */
+            const struct access *before = &c->accesses[w.cell->last_access - 1];
+            if ((a->flags | before->flags) & ACCESS_WRITES || a->layout != before->layout)
+                conflict = before;
+        }
         if (a->flags & ACCESS_WRITES && !(when && filled))
             w.cell->filled = filled_now;
         w.cell->last_access = c->access_count + 1;
@@ -120,9 +161,9 @@ static void check_target(struct compiler *c, const struct rg_target *target,
 {
     const struct rg_pass *row = c->pass->pass;
     bool is_depth = target == &row->depth;
-    bool has_depth = !(r->all.aspectMask & VK_IMAGE_ASPECT_COLOR_BIT);
+    bool has_depth = !(r->all.aspects & VK_IMAGE_ASPECT_COLOR_BIT);
     uint32_t samples = r->image->samples ? r->image->samples : 1;
-    if (mip < r->all.levelCount)
+    if (mip < r->all.mip_count)
         check_extent(c, r, mip);
     rg_fault_if(c, is_depth && !has_depth, RG_ERROR_FORMAT, r->name,
                 "a depth target needs a depth format");
@@ -130,7 +171,7 @@ static void check_target(struct compiler *c, const struct rg_target *target,
                 "a colour target needs a colour format");
     rg_fault_if(c, is_depth && row->depth_read_only && target->load != RG_LOAD_KEEP,
                 RG_ERROR_ACCESS, r->name, "a read-only depth target must be RG_LOAD_KEEP");
-    rg_fault_if(c, is_depth && row->stencil && !(r->all.aspectMask & VK_IMAGE_ASPECT_STENCIL_BIT),
+    rg_fault_if(c, is_depth && row->stencil && !(r->all.aspects & VK_IMAGE_ASPECT_STENCIL_BIT),
                 RG_ERROR_FORMAT, r->name, "a stencil test needs a format with a stencil");
     rg_fault_if(c, r->image->depth, RG_ERROR_ACCESS, r->name,
                 "a 3D image cannot be a target: write it as a storage image");
@@ -144,12 +185,12 @@ static void check_target(struct compiler *c, const struct rg_target *target,
 static VkImageSubresourceRange target_range(const struct compiler *c, const struct resource *r,
                                             uint32_t mip, uint32_t layer)
 {
-    if (c->pass->pass->repeat == RG_PER_LAYER && r->all.layerCount > 1)
+    if (c->pass->pass->repeat == RG_PER_LAYER && r->all.layer_count > 1)
         layer += c->step;
-    if (c->pass->pass->repeat >= RG_PER_MIP && r->all.levelCount > 1)
+    if (c->pass->pass->repeat >= RG_PER_MIP && r->all.mip_count > 1)
         mip += c->step;
     const uint32_t layers = c->pass->pass->layers;
-    return (VkImageSubresourceRange){ r->all.aspectMask, mip, 1, layer, layers ? layers : 1 };
+    return (VkImageSubresourceRange){ r->all.aspects, mip, 1, layer, layers ? layers : 1 };
 }
 
 static void add_resolve(struct compiler *c, const struct rg_target *target)
@@ -159,7 +200,8 @@ static void add_resolve(struct compiler *c, const struct rg_target *target)
     if (!a)
         return;
     a->declared = target;
-    a->range = target_range(c, r, target->resolve_mip, target->resolve_layer);
+    const VkImageSubresourceRange range =
+        target_range(c, r, target->resolve_mip, target->resolve_layer);
     a->flags |= ACCESS_OVERWRITES;
     rg_fault_if(c, r->image->samples > 1 || r->image->depth, RG_ERROR_SAMPLES, r->name,
                 "resolve to a 2D image with one sample per texel");
@@ -167,8 +209,8 @@ static void add_resolve(struct compiler *c, const struct rg_target *target)
                 "resolve from a multisampled image");
     rg_fault_if(c, r->image->format != target->image->format, RG_ERROR_FORMAT, r->name,
                 "resolve to an image of the same format");
-    check_extent(c, r, a->range.baseMipLevel);
-    if (find_cells(c, a))
+    check_extent(c, r, range.baseMipLevel);
+    if (set_range(c, a, &range))
         keep_access(c, a, NULL);
 }
 
@@ -184,15 +226,15 @@ static void add_target(struct compiler *c, const struct rg_target *target)
     if (!a)
         return;
     a->declared = target;
-    a->range = target_range(c, r, target->mip, target->layer);
+    const VkImageSubresourceRange range = target_range(c, r, target->mip, target->layer);
     if (keeps)
         a->flags |= ACCESS_READS;
     else if (a->flags & ACCESS_WRITES)
         a->flags |= ACCESS_OVERWRITES;
     if (kind == RG_COLOR && !keeps && !rg_keeps_color(target))
         a->mask = rg_access_table[kind].writes;
-    check_target(c, target, r, a->range.baseMipLevel);
-    if (find_cells(c, a))
+    check_target(c, target, r, range.baseMipLevel);
+    if (set_range(c, a, &range))
         keep_access(c, a, "clear it, or move the pass that writes it before this one");
     if (target->resolve && kind == RG_COLOR)
         add_resolve(c, target);
@@ -203,7 +245,7 @@ static VkImageSubresourceRange use_range(const struct compiler *c, const struct 
 {
     const enum rg_repeat repeat = c->pass->pass->repeat;
     VkImageSubresourceRange out = {
-        .aspectMask = range->aspect ? range->aspect : r->all.aspectMask,
+        .aspectMask = range->aspect ? range->aspect : r->all.aspects,
         .baseMipLevel = range->mip,
         .levelCount = range->mip_count,
         .baseArrayLayer = range->layer,
@@ -216,17 +258,17 @@ static VkImageSubresourceRange use_range(const struct compiler *c, const struct 
         out.baseMipLevel += c->step;
         out.levelCount = 1;
     }
-    if (!out.levelCount && out.baseMipLevel < r->all.levelCount)
-        out.levelCount = r->all.levelCount - out.baseMipLevel;
-    if (!out.layerCount && out.baseArrayLayer < r->all.layerCount)
-        out.layerCount = r->all.layerCount - out.baseArrayLayer;
+    if (!out.levelCount && out.baseMipLevel < r->all.mip_count)
+        out.levelCount = r->all.mip_count - out.baseMipLevel;
+    if (!out.layerCount && out.baseArrayLayer < r->all.layer_count)
+        out.layerCount = r->all.layer_count - out.baseArrayLayer;
     return out;
 }
 
-static void add_use(struct compiler *c, const struct rg_use *use)
+static void add_use(struct compiler *c, const struct rg_pass *row, const struct rg_use *use)
 {
     struct resource *r = rg_resource_of(c, use->image, use->buffer);
-    VkPipelineStageFlags2 stages = rg_use_stages(c->pass->pass, use);
+    VkPipelineStageFlags2 stages = rg_use_stages(row, use);
     struct access *a = next_access(c, r, use->access, stages);
     if (!a)
         return;
@@ -234,17 +276,18 @@ static void add_use(struct compiler *c, const struct rg_use *use)
     if (use->view_format && use->image && use->view_format != use->image->format)
         r->is_mutable = true;
     /* a depth image that is tested and sampled: read-only depth layout for the whole range */
-    if (use->access == RG_SAMPLED && use->image && c->pass->pass->depth_read_only &&
-        use->image == c->pass->pass->depth.image)
+    if (row->depth_read_only && use->access == RG_SAMPLED && use->image &&
+        use->image == row->depth.image)
         a->layout = rg_access_table[RG_DEPTH_READ].layout;
     if (use->texels || (use->buffer && use->access == RG_SAMPLED))
         a->flags |= ACCESS_TEXELS;
     if ((a->flags & ACCESS_WRITES) && !(a->flags & ACCESS_READS) && !use->partial)
         a->flags |= ACCESS_OVERWRITES;
     const struct rg_range *g = &use->range;
-    if (use->image && (g->aspect | g->mip | g->mip_count | g->layer | g->layer_count | g->each)) {
-        a->range = use_range(c, r, &use->range);
-        if (!find_cells(c, a))
+    if (use->image &&
+        (g->aspect || g->mip || g->mip_count || g->layer || g->layer_count || g->each)) {
+        const VkImageSubresourceRange range = use_range(c, r, &use->range);
+        if (!set_range(c, a, &range))
             return;
     }
     keep_access(c, a, "move the pass that writes it before this one, or import it");
@@ -331,7 +374,7 @@ static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t rep
         add_target(c, &row->depth);
     for (const struct rg_use *use = row->uses; use && rg_is_use(use); use++) {
         if (rg_is_valid_use(use) && !(use->fallback && use_fallback(c, use)))
-            add_use(c, use);
+            add_use(c, row, use);
     }
     pass->access_count = c->access_count - pass->first_access;
     out->fallback_count = c->fallback_count - out->first_fallback;
@@ -359,15 +402,15 @@ static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
     if (!r)
         return 0;
     if (pass->repeat == RG_PER_LAYER)
-        return r->all.layerCount > layer ? r->all.layerCount - layer : 1;
-    uint32_t count = r->all.levelCount > mip ? r->all.levelCount - mip : 1;
+        return r->all.layer_count > layer ? r->all.layer_count - layer : 1;
+    uint32_t count = r->all.mip_count > mip ? r->all.mip_count - mip : 1;
     for (const struct rg_use *use = pass->uses;
          pass->repeat == RG_PER_MIP_UP && use && rg_is_use(use); use++) {
         if (!rg_is_valid_use(use) || !use->image || !use->range.each || use->fallback)
             continue;
         r = rg_resource_of(c, use->image, NULL);
-        if (r && r->all.levelCount > use->range.mip && r->all.levelCount - use->range.mip < count)
-            count = r->all.levelCount - use->range.mip;
+        if (r && r->all.mip_count > use->range.mip && r->all.mip_count - use->range.mip < count)
+            count = r->all.mip_count - use->range.mip;
     }
     return count;
 }
@@ -413,7 +456,8 @@ void rg_expand(struct compiler *c)
     c->technique = NULL;
     c->row = RG_NONE;
     c->row_first_fault = c->fault_count;
-    for (uint32_t i = 0; i < c->resource_count; i++) {
+    const uint32_t count = c->persistent_count ? c->resource_count : c->boundary_count;
+    for (uint32_t i = 0; i < count; i++) {
         if (c->resources[i]->output != RG_NONE || c->resources[i]->partner)
             check_filled(c, c->resources[i]);
     }

@@ -38,17 +38,14 @@ void rg_fault(struct compiler *c, enum rg_error error, const char *resource, con
 void rg_fault_with(struct compiler *c, enum rg_error error, const char *resource,
                    const char *format, ...)
 {
-    char text[256];
-    va_list arguments;
-    va_start(arguments, format);
-    int length = vsnprintf(text, sizeof(text), format, arguments);
-    va_end(arguments);
-    size_t size = length < (int)sizeof(text) ? (size_t)length + 1 : sizeof(text);
+    const size_t size = 256;
     char *hint = ARENA_ARRAY(c->arena, char, size);
+    va_list arguments;
     if (!hint)
         return;
-    memcpy(hint, text, size);
-    hint[size - 1] = '\0';
+    va_start(arguments, format);
+    vsnprintf(hint, size, format, arguments);
+    va_end(arguments);
     rg_fault(c, error, resource, hint);
 }
 

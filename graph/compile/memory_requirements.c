@@ -41,7 +41,7 @@ static void extend_lifetime(struct compiler *c, struct resource *r, VkFlags usag
  * handed on by barriers, which only order commands of one queue. */
 static void add_queue(struct compiler *c, struct resource *r, enum rg_queue queue)
 {
-    r->queues |= 1u << queue;
+    r->queues |= (uint8_t)(1u << queue);
     if (!r->queue_cells)
         r->queue_cells = ARENA_ZEROED(c->arena, struct cell_queues, r->cell_count);
     for (uint32_t k = 0; k < r->cell_count && r->shared; k++) {
@@ -109,18 +109,21 @@ static void check_format(struct compiler *c, const struct access *a)
 
 void rg_find_lifetimes(struct compiler *c)
 {
+    const bool has_device = c->params->device;
     if (c->params->queues)
         find_queues(c);
     for (uint32_t p = 0; p < c->pass_count; p++) {
         const struct pass *pass = &c->passes[p];
         const struct access *a = &c->accesses[pass->first_access];
-        c->technique = c->plan_passes[p].technique;
-        c->row = c->plan_passes[p].row;
-        if (!c->plan_passes[p].repetition)
-            c->row_first_fault = c->fault_count;
+        if (has_device) { /* for faults */
+            c->technique = c->plan_passes[p].technique;
+            c->row = c->plan_passes[p].row;
+            if (!c->plan_passes[p].repetition)
+                c->row_first_fault = c->fault_count;
+        }
         for (uint32_t i = 0; i < pass->access_count; i++) {
             extend_lifetime(c, a[i].resource, usage_of(&a[i]), p);
-            if (c->params->device)
+            if (has_device)
                 check_format(c, &a[i]);
         }
     }
@@ -129,7 +132,7 @@ void rg_find_lifetimes(struct compiler *c)
         struct resource *r = rg_resource_of(c, output->image, output->buffer);
         extend_lifetime(c, r, rg_usage(r, output->access), c->pass_count);
     }
-    for (uint32_t i = 0; i < c->resource_count; i++) {
+    for (uint32_t i = 0; i < c->resource_count && c->persistent_count; i++) {
         struct resource *r = c->resources[i];
         if (rg_is_history(r) && r->first == RG_NONE) /* no pass reads it */
             r->partner = r->partner->partner = NULL;
@@ -216,12 +219,6 @@ static void add_memory(struct compiler *c, struct resource *r,
                     "make it smaller: the resources so far exceed any memory");
 }
 
-/* Returns true if an image, or its partner, has views of several formats. */
-static bool is_mutable(const struct resource *r)
-{
-    return r->is_mutable || (r->partner && r->partner->is_mutable);
-}
-
 static void list_image(struct compiler *c, struct resource *r)
 {
     const VkImageCreateFlags mutable_flags =
@@ -230,12 +227,12 @@ static void list_image(struct compiler *c, struct resource *r)
     image->image = r->image;
     image->extent = r->extent;
     image->depth = r->depth;
-    image->layers = r->all.layerCount;
-    image->mips = r->all.levelCount;
-    image->aspects = r->all.aspectMask;
+    image->layers = r->all.layer_count;
+    image->mips = r->all.mip_count;
+    image->aspects = r->all.aspects;
     image->usage = r->usage | (r->partner ? r->partner->usage : 0);
     image->flags = (r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0) |
-                   (is_mutable(r) ? mutable_flags : 0);
+                   (r->is_mutable || (r->partner && r->partner->is_mutable) ? mutable_flags : 0);
     image->samples = r->image->samples ? r->image->samples : 1;
     image->imported = r->import != RG_NONE;
     image->persistent = r->persistent;
@@ -245,6 +242,7 @@ static void list_image(struct compiler *c, struct resource *r)
     image->first = r->first;
     image->last = r->last;
     image->block = RG_NONE;
+    image->offset = image->size = 0;
     if (image->imported)
         return;
     check_samples(c, image);
@@ -293,7 +291,7 @@ static void list_buffer(struct compiler *c, struct resource *r)
 void rg_list_resources(struct compiler *c)
 {
     struct rg_plan *plan = c->plan;
-    plan->images = c->images = ARENA_ZEROED(c->arena, struct rg_plan_image, plan->image_count);
+    plan->images = c->images = ARENA_ARRAY(c->arena, struct rg_plan_image, plan->image_count);
     plan->buffers = c->buffers = ARENA_ZEROED(c->arena, struct rg_plan_buffer, plan->buffer_count);
     c->items = ARENA_ARRAY(c->arena, struct pack_item, c->item_count);
     for (uint32_t i = 0; i < c->resource_count && !c->arena->failed; i++) {

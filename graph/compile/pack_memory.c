@@ -9,6 +9,7 @@
 enum {
     RULE_COUNT = 4,          /* greedy orders */
     PROMOTIONS = 8,          /* orders tried after them */
+    FEW_ITEMS = 256,         /* above it, a radix sort is faster than Shell sort */
     MANY_ITEMS = 512,        /* above it, fewer rules are tried */
     RULES_OF_MANY_ITEMS = 2, /* rules tried for many items */
     /* above this mean number of live sets per item, large plans only use apply_time_order() */
@@ -56,6 +57,7 @@ struct packing {
     struct span *spans;    /* span storage of all live sets */
     VkDeviceSize *offsets; /* best offsets so far, per item */
     uint64_t *order;       /* upper half: key; lower half: item */
+    uint64_t *sorted;      /* scratch of sort() */
     uint32_t placed;       /* items placed by the current order */
 };
 
@@ -200,23 +202,41 @@ static uint64_t product_of(const struct rule *rule, const struct pack_item *item
     return bits;
 }
 
-/* Sorts all items into p->order by descending key: Shell sort, because qsort() may allocate. */
-static void sort(const struct packing *p, const struct rule *rule)
+/* Shell sort. */
+static void sort_few(uint64_t *order, uint32_t count)
 {
-    uint64_t *order = p->order;
     uint32_t gap = 1;
-    for (uint32_t i = 0; i < p->count; i++)
-        order[i] = (~product_of(rule, &p->items[i]) & UINT64_MAX << 32) | i;
-    while (gap < p->count / 3)
+    while (gap < count / 3)
         gap = gap * 3 + 1;
     for (; gap; gap /= 3) {
-        for (uint32_t i = gap; i < p->count; i++) {
+        for (uint32_t i = gap; i < count; i++) {
             const uint64_t moved = order[i];
             uint32_t k = i;
             for (; k >= gap && order[k - gap] > moved; k -= gap)
                 order[k] = order[k - gap];
             order[k] = moved;
         }
+    }
+}
+
+/* Sorts all items into p->order by descending key. qsort() is not used because it may allocate. */
+static void sort(struct packing *p, const struct rule *rule)
+{
+    for (uint32_t i = 0; i < p->count; i++)
+        p->order[i] = (~product_of(rule, &p->items[i]) & UINT64_MAX << 32) | i;
+    if (p->count <= FEW_ITEMS)
+        sort_few(p->order, p->count);
+    for (unsigned shift = 32; shift < 64 && p->count > FEW_ITEMS; shift += 8) { /* radix sort */
+        uint32_t begins[257] = { 0 };
+        uint64_t *from = p->order;
+        for (uint32_t i = 0; i < p->count; i++)
+            begins[(from[i] >> shift & 255) + 1]++;
+        for (uint32_t i = 1; i < 256; i++)
+            begins[i] += begins[i - 1];
+        for (uint32_t i = 0; i < p->count; i++)
+            p->sorted[begins[from[i] >> shift & 255]++] = from[i];
+        p->order = p->sorted;
+        p->sorted = from;
     }
 }
 
@@ -276,10 +296,9 @@ static VkDeviceSize apply_order(struct packing *p, VkDeviceSize limit)
 /* Tries several orders. Stores the offsets of the smallest block below `size`. Returns its size. */
 static VkDeviceSize apply_orders(struct packing *p, VkDeviceSize size, VkDeviceSize bound)
 {
-    uint32_t rule_count = p->count > MANY_ITEMS ? RULES_OF_MANY_ITEMS : RULE_COUNT;
     uint32_t order_count = p->count > MANY_ITEMS ? RULES_OF_MANY_ITEMS : RULE_COUNT + PROMOTIONS;
     for (uint32_t i = 0; i < order_count && size > bound; i++) {
-        if (i < rule_count)
+        if (i < RULE_COUNT)
             sort(p, &rules[i]);
         else
             promote_highest(p);
@@ -333,6 +352,7 @@ struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_
         .live_sets = ARENA_ARRAY(arena, struct live_set, count),
         .offsets = ARENA_ARRAY(arena, VkDeviceSize, count),
         .order = ARENA_ARRAY(arena, uint64_t, count),
+        .sorted = ARENA_ARRAY(arena, uint64_t, count),
     };
     if (arena->failed)
         return result;

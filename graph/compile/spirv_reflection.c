@@ -276,9 +276,8 @@ static uint32_t result_word(uint32_t op)
 {
     if (op == SpvOpVariable || op == SpvOpConstant || op == SpvOpSpecConstant)
         return 2;
-    bool type = (op >= SpvOpTypeBool && op <= SpvOpTypeStruct) || op == SpvOpTypePointer ||
-                op == SpvOpTypeAccelerationStructureKHR;
-    return type ? 1 : 0;
+    return (op >= SpvOpTypeBool && op <= SpvOpTypeStruct) || op == SpvOpTypePointer ||
+           op == SpvOpTypeAccelerationStructureKHR;
 }
 
 /* Returns the name of an id; "" if there is none. */
@@ -485,8 +484,7 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
     const uint32_t model = stage == VK_SHADER_STAGE_VERTEX_BIT     ? SpvExecutionModelVertex
                            : stage == VK_SHADER_STAGE_FRAGMENT_BIT ? SpvExecutionModelFragment
                                                                    : SpvExecutionModelGLCompute;
-    bool found = false;
-    bool in_function = false;
+    bool found = false, in_function = false;
     s->shader = shader;
     s->variable_count = 0;
     s->has_storage = s->passes_storage = false;

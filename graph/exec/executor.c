@@ -153,6 +153,22 @@ static const char *find_functions(struct rg_functions *functions, PFN_vkGetInsta
     return missing;
 }
 
+/* Keeps the plan from being freed by rg_plan_destroy(). */
+static void keep_plan(const struct rg_plan *plan)
+{
+    __atomic_fetch_add((uint32_t *)(uintptr_t)&plan->users, 1, __ATOMIC_RELAXED);
+}
+
+/* Frees the plan if it was destroyed, and no other executor has it. */
+static void release_plan(const struct rg_plan *plan)
+{
+    struct rg_plan *p = (struct rg_plan *)(uintptr_t)plan;
+    if (__atomic_sub_fetch(&p->users, 1, __ATOMIC_ACQ_REL) != RG_PLAN_DESTROYED)
+        return;
+    p->users = 0;
+    rg_plan_destroy(p);
+}
+
 static const struct rg_exec_params no_params = { 0 };
 
 struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result)
@@ -184,6 +200,7 @@ struct rg_exec *rg_exec_create_extended(const struct rg_exec_params *params,
     struct rg_exec *exec = outcome == VK_SUCCESS ? calloc(1, sizeof(*exec)) : NULL;
     if (exec) {
         *exec = start;
+        keep_plan(exec->plan);
         rg_exec_adopt_pipelines(exec);
         exec->slots = calloc(exec->slot_count, sizeof(*exec->slots));
         outcome = exec->slots ? make_all(exec)
@@ -239,12 +256,14 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
     if (wrong)
         return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "rg_exec_update", wrong);
     *exec = next;
+    keep_plan(exec->plan);
     RG_TRY(make_all(exec));
     RG_TRY(rg_exec_keep_content(exec, &former));
     rg_time_keep(exec, &former);
     RG_TRY(rg_exec_retire_former(exec));
     rg_exec_free_retired(exec);
 fail:
+    release_plan(former.plan);
     return result;
 }
 
@@ -263,6 +282,7 @@ void rg_exec_destroy(struct rg_exec *exec)
     }
     rg_exec_wait_for_queues(exec);
     rg_exec_free_objects(exec);
+    release_plan(exec->plan);
     free(exec->slots);
     free(exec);
 }
@@ -274,6 +294,8 @@ VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot)
         return rg_exec_refuse(exec, "rg_exec_begin() before the last part");
     if (!exec->params.queue)
         return rg_exec_refuse(exec, "rg_exec_begin() without rg_exec_params.queue");
+    if (!slot)
+        return rg_exec_refuse(exec, "rg_exec_begin() with a slot that is NULL");
     exec->begun = true;
     exec->slot = (exec->slot + 1) % exec->slot_count;
     *slot = exec->slot;
@@ -378,6 +400,8 @@ VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *fram
     VkResult result;
     if (!exec->begun || exec->next_part.count)
         return rg_exec_refuse(exec, "rg_exec_submit() without rg_exec_begin()");
+    if (!sync || (sync->wait_count && !sync->waits) || (sync->signal_count && !sync->signals))
+        return rg_exec_refuse(exec, "rg_exec_submit_synced() with a sync or an array that is NULL");
     exec->begun = false;
     if (!rg_exec_select_images(exec, sync->image_index))
         return rg_exec_refuse(exec, "rg_exec_external_sync.image_index beyond the images");

@@ -4,9 +4,8 @@
  * resource; the next frame is drawn as if nothing had happened.
  *
  * Nobody but a device or its validation layer can know: a wrong layout in the program's own Vulkan
- * commands, too few workgroups, an upload written after the submit, a plan destroyed before its
- * executor. Legal, if seldom meant: history read after its write, a stride that is less than the
- * end of an attribute.
+ * commands, too few workgroups, an upload written after the submit. Legal, if seldom meant: history
+ * read after its write, a stride that is less than the end of an attribute.
  */
 #include <string.h>
 
@@ -416,7 +415,11 @@ static void calls_are_refused(void **state)
     assert_int_equal(rg_exec_wait(run.exec, 7), VK_ERROR_VALIDATION_FAILED_EXT);
     check_line(&run, "rg_exec_wait() for a slot beyond frames_in_flight");
     assert_null(rg_exec_mapped(run.exec, &pixels, 7));
+    assert_int_equal(rg_exec_begin(run.exec, NULL), VK_ERROR_VALIDATION_FAILED_EXT);
+    check_line(&run, "rg_exec_begin() with a slot that is NULL");
     assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
+    assert_int_equal(rg_exec_submit_synced(run.exec, &frame, NULL), VK_ERROR_VALIDATION_FAILED_EXT);
+    check_line(&run, "rg_exec_submit_synced() with a sync or an array that is NULL");
     assert_int_equal(rg_exec_submit_synced(run.exec, &frame,
                                            &(struct rg_exec_external_sync){ .image_index = 1 }),
                      VK_ERROR_VALIDATION_FAILED_EXT);
@@ -429,6 +432,13 @@ static void calls_are_refused(void **state)
     check_line(&run, "rg_exec_record() without a command buffer");
     assert_int_equal(rg_exec_update(run.exec, NULL), VK_ERROR_INITIALIZATION_FAILED);
     check_line(&run, "rg_exec_update of params without a plan");
+    run_frame(&run, &frame);
+    rg_plan_destroy(run.plan);
+    assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
+    assert_int_equal(rg_exec_submit(run.exec, &frame), VK_ERROR_VALIDATION_FAILED_EXT);
+    check_line(&run, "a frame of a plan after its rg_plan_destroy()");
+    run.plan = NULL; /* freed by the update */
+    run_update(&run, &run.params);
     run_frame(&run, &frame);
     run_close(&run);
     gpu_buffer_destroy(*state, &buffers[0]);

@@ -4,22 +4,26 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Returns an image size: `imported` or else `declared` if not 0, otherwise the scaled view size. */
-static uint32_t texels(uint32_t imported, uint32_t declared, float scale, uint32_t view)
+/* Returns an image size: `given` or else `declared` if not 0, otherwise the scaled view size. */
+static uint32_t texels(uint32_t given, uint32_t declared, float scale, uint32_t view)
 {
-    if (imported || declared)
-        return imported ? imported : declared;
+    if (given || declared)
+        return given ? given : declared;
     double scaled = ceil((double)view * (scale > 0.0F ? (double)scale : 1.0));
     return scaled < 1.0 ? 1 : (uint32_t)scaled;
 }
 
-/* Fills an image's properties. Those of an import take precedence over the declared ones. */
+/* Fills an image's properties. Those of an import take precedence over rg_compile_params.sizes, and
+ * these over the declared ones. */
 static void fill_image(const struct hazard *h, struct hazard_resource *resource)
 {
     const struct rg_image *image = resource->image;
     const struct rg_import *import = resource->import;
     VkExtent2D view = h->params->view;
     VkExtent2D coming = { 0 };
+    for (size_t i = 0; i < h->params->size_count; i++)
+        if (h->params->sizes[i].image == image)
+            coming = h->params->sizes[i].extent;
     if (import && import->extent.width && import->extent.height)
         coming = import->extent;
     resource->extent.width = texels(coming.width, image->width, image->scale, view.width);

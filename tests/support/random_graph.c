@@ -73,6 +73,23 @@ static void draw_size(struct random_tables *t, struct rg_image *image, VkExtent2
     struct random_known *known = &t->known[image - t->images];
     known->width = image->width ? image->width : texels(image->scale, view.width);
     known->height = image->height ? image->height : texels(image->scale, view.height);
+    if (random_graph_chance(t, 10)) { /* rg_compile_params.sizes differs from the declaration */
+        known->width = sizes[random_graph_below(t, 3)];
+        known->height = image->cube ? known->width : sizes[random_graph_below(t, 3)];
+        t->sizes[t->size_count++] =
+            (struct rg_size){ .image = image, .extent = { known->width, known->height } };
+    }
+}
+
+/* Gives image `index` the same entry in rg_compile_params.sizes as the image before it. */
+static void copy_size(struct random_tables *t, uint32_t index)
+{
+    struct rg_size *end = &t->sizes[t->size_count];
+    if (t->size_count == 0 || end[-1].image != &t->images[index - 1])
+        return;
+    *end = end[-1];
+    end->image = &t->images[index];
+    t->size_count++;
 }
 
 static void draw_samples(struct random_tables *t, struct rg_image *image,
@@ -96,6 +113,7 @@ static void draw_resolved(struct random_tables *t, uint32_t index)
     t->known[index].samples = 1;
     t->known[index].copies = true;
     t->known[index].history = false;
+    copy_size(t, index);
     memset(t->known[index].defined, image->persistent, sizeof(t->known[index].defined));
 }
 
@@ -108,6 +126,7 @@ static void draw_history(struct random_tables *t, uint32_t index)
     image->previous = &t->images[index - 1];
     t->known[index] = t->known[index - 1];
     t->known[index].history = true;
+    copy_size(t, index);
     memset(t->known[index].defined, 1, sizeof(t->known[index].defined));
 }
 
@@ -186,6 +205,10 @@ static void draw_buffer(struct random_tables *t, uint32_t index)
     buffer->size = (VkDeviceSize)16 * (1 + random_graph_below(t, 2000));
     if (random_graph_chance(t, 30))
         buffer->size_per_texel = (VkDeviceSize)4 * random_graph_below(t, 5);
+    if (random_graph_chance(t, 10))
+        t->sizes[t->size_count++] =
+            (struct rg_size){ .buffer = buffer,
+                              .size = (VkDeviceSize)16 * (1 + random_graph_below(t, 2000)) };
     buffer->memory = random_graph_chance(t, 60)   ? RG_MEMORY_DEVICE
                      : random_graph_chance(t, 50) ? RG_MEMORY_UPLOAD
                                                   : RG_MEMORY_READBACK;
@@ -447,6 +470,11 @@ bool random_graph_init(struct random_graph *graph, uint64_t seed, uint32_t most_
     if (random_graph_chance(t, 50))
         params->device = &t->device;
     draw_queues(t, params);
+    params->sizes = t->sizes;
+    params->size_count = t->size_count;
+    if (random_graph_chance(t, 30))
+        params->max_view = (VkExtent2D){ params->view.width + random_graph_below(t, 64),
+                                         params->view.height + random_graph_below(t, 64) };
     return true;
 }
 

@@ -49,9 +49,10 @@ struct random_tables {
     const struct rg_technique *technique_list[TECHNIQUES];
     struct rg_import imports[RESOURCES];
     struct rg_output outputs[RESOURCES];
+    struct rg_size sizes[RESOURCES];
     struct rg_device device;
     struct random_known known[RESOURCES];
-    uint32_t image_count, buffer_count, pass_count, wanted_count, condition_count;
+    uint32_t image_count, buffer_count, pass_count, wanted_count, condition_count, size_count;
     bool history, multisampled;
     /* passes use images with near indices, for short lifetimes and little culling */
     bool local;
