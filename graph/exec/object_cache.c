@@ -331,16 +331,24 @@ VkResult rg_exec_retire_former(struct rg_exec *exec)
     return remove_objects(exec, &retired->objects, false);
 }
 
-/* Returns true if the frame with this number, or an earlier one, has not finished. */
+/* Returns true if the device may execute a slot's commands. A poll that fails, but for a lost
+ * device, tells nothing. */
+static bool may_run(const struct rg_exec *exec, const struct exec_slot *slot)
+{
+    if (!slot->submitted)
+        return false;
+    const VkResult result = exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, 0);
+    return result != VK_SUCCESS && result != VK_ERROR_DEVICE_LOST;
+}
+
+/* Returns true if the frame with this number, or an earlier one, may not have finished. */
 static bool is_in_flight(const struct rg_exec *exec, uint64_t frame)
 {
     for (uint32_t i = 0; i < exec->slot_count; i++) {
         const struct exec_slot *slot = &exec->slots[i];
         if (slot->frame > frame)
             continue;
-        if (slot->recorded ||
-            (slot->submitted &&
-             exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, 0) == VK_TIMEOUT))
+        if (slot->recorded || may_run(exec, slot))
             return true;
     }
     return false;

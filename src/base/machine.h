@@ -18,6 +18,10 @@ uint32_t machine_core_count(void);
 /* Chooses huge pages, or small ones, for pages of this process. Failure only costs time. */
 void machine_advise_pages(void *begin, size_t size, bool is_huge);
 
+/* Chooses huge pages for an allocation of several MiB: filling it takes fewer page faults. Does
+ * nothing to smaller ones and to NULL. */
+void machine_advise_allocation(void *bytes, size_t size);
+
 /* Returns the user and system CPU time in milliseconds of this process or, with `of_children`, of
  * the child processes that were waited for. The time of child processes is 0 on Windows. */
 double machine_cpu_ms(bool of_children);

@@ -30,6 +30,14 @@ void machine_advise_pages(void *begin, size_t size, bool is_huge)
     (void)madvise(begin, size, is_huge ? MADV_HUGEPAGE : MADV_NOHUGEPAGE);
 }
 
+void machine_advise_allocation(void *bytes, size_t size)
+{
+    const uintptr_t page = 2u << 20, first = ((uintptr_t)bytes + page - 1) / page * page;
+    const uintptr_t end = ((uintptr_t)bytes + size) / page * page;
+    if (bytes && first < end)
+        machine_advise_pages((char *)bytes + (first - (uintptr_t)bytes), end - first, true);
+}
+
 static double ms_of(struct timeval time)
 {
     return (double)time.tv_sec * 1e3 + (double)time.tv_usec * 1e-3;

@@ -34,6 +34,12 @@ void machine_advise_pages(void *begin, size_t size, bool is_huge)
     (void)is_huge;
 }
 
+void machine_advise_allocation(void *bytes, size_t size)
+{
+    (void)bytes;
+    (void)size;
+}
+
 /* Converts 100 ns units to milliseconds. */
 static double ms_of(FILETIME time)
 {

@@ -13,6 +13,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/base/machine.h"
 
 enum {
     LEAF_TRIANGLES = 4,
@@ -21,7 +22,7 @@ enum {
     KEY_BITS = 3 * MORTON_BITS + 2,
     POLYGON_MAX = 6,     /* vertices of a triangle that is clipped by three half-planes */
     TESTS_MIN = 1 << 20, /* lower bound of tests_max() */
-    TESTS_PER_TRIANGLE = 12,
+    TESTS_PER_TRIANGLE = 8,
 };
 
 /* Distances within which surfaces coincide: relative to the smaller object's radius, and to the
@@ -260,6 +261,22 @@ static bool is_beside(vec3s normal, vec3s corner, const vec3s other[static 3], f
     return !(low <= epsilon && high >= -epsilon);
 }
 
+/* Returns true if the part of triangle `b` in the prism over triangle `a` has at most about a given
+ * area. The part lies in a strip along each edge of `a`, whose area the dot products are. */
+static bool overlaps_little(const vec3s a[static 3], vec3s normal, const vec3s b[static 3],
+                            float area)
+{
+    for (uint32_t k = 0; k < 3; k++) {
+        const vec3s side = glms_vec3_cross(normal, glms_vec3_sub(a[(k + 1) % 3], a[k]));
+        float strip = -FLT_MAX;
+        for (uint32_t i = 0; i < 3; i++)
+            strip = glm_max(strip, glms_vec3_dot(side, glms_vec3_sub(b[i], a[k])));
+        if (strip < 0.9f * area)
+            return true;
+    }
+    return false;
+}
+
 /* Clips triangle `b` to the prism over triangle `a`. Returns the number of vertices. */
 static uint32_t overlap(const vec3s a[static 3], vec3s normal, const vec3s b[static 3],
                         struct plane_point polygon[static POLYGON_MAX])
@@ -328,6 +345,9 @@ static void test_faces(struct join *join, uint32_t at_a, uint32_t at_b)
     get_corners(join->mesh, join->order[at_b], other);
     if (is_beside(a->normal, corners[0], other, epsilon))
         return;
+    const float area_min = epsilon * box_diagonal(a->box);
+    if (overlaps_little(corners, a->normal, other, area_min))
+        return;
     struct plane_point polygon[POLYGON_MAX];
     const uint32_t count = overlap(corners, a->normal, other, polygon);
     float low = FLT_MAX, high = -FLT_MAX;
@@ -335,8 +355,7 @@ static void test_faces(struct join *join, uint32_t at_a, uint32_t at_b)
         low = fminf(low, polygon[i].distance);
         high = fmaxf(high, polygon[i].distance);
     }
-    if (!(area_of(polygon, count) > epsilon * box_diagonal(a->box)) || low > epsilon ||
-        high < -epsilon)
+    if (!(area_of(polygon, count) > area_min) || low > epsilon || high < -epsilon)
         return;
     const bool is_shared = is_parallel && low >= -epsilon && high <= epsilon;
     if (is_own && !(is_shared && low >= -join->round_epsilon))
@@ -480,6 +499,8 @@ static bool allocate(struct join *join, uint32_t count)
     join->faces = calloc(triangles + 1, sizeof(*join->faces));
     join->nodes = malloc(2 * (size_t)join->leaf_count * sizeof(*join->nodes));
     join->shells->triangles = calloc(triangles / 32 + 1, sizeof(*join->shells->triangles));
+    machine_advise_allocation(join->faces, triangles * sizeof(*join->faces));
+    machine_advise_allocation(join->nodes, 2 * (size_t)join->leaf_count * sizeof(*join->nodes));
     return join->radii && join->order && join->faces && join->nodes && join->shells->triangles;
 }
 

@@ -551,11 +551,12 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     if (!scene->has_pool)
         scene->box = mesh_box(has_object ? &scene->model.object : &scene->model.surroundings);
     scene->framing_box = scene->box;
-    if (!scene_is_known(params->name))
+    if (status == STATUS_OK && !scene_is_known(params->name))
         framing_init(&scene->framing, &scene->model.object, &scene->model.surroundings);
     scene->time = params->pose.time;
     scene->is_animated = scene->model.animation || params->melting.speed > 0.0f;
-    measure_shape(scene);
+    if (status == STATUS_OK)
+        measure_shape(scene);
     if (status == STATUS_OK)
         status = load_surroundings(scene, params);
     if (!scene->model.has_box)

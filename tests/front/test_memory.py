@@ -80,8 +80,8 @@ class Memory(Case):
     def least(self):
         """Returns the limit, MiB, from which on the program's libraries are loaded. At some limits
         above the first that suffices, the allocator of TBB 2022 dies."""
-        return 1 + max(size for size in range(32, 192)
-                       if self.run_within(('--version',), size)[0] != 0)
+        return 1 + next(size for size in reversed(range(32, 192))
+                        if self.run_within(('--version',), size)[0] != 0)
 
     def squeeze(self, *arguments, sizes, may_crash):
         """How many ended with which code."""

@@ -338,6 +338,38 @@ static void plans_change_between_frames_in_flight(void **state)
     }
 }
 
+static PFN_vkWaitForFences real_wait;
+
+static VKAPI_ATTR VkResult VKAPI_CALL wait_without_polls(VkDevice device, uint32_t n,
+                                                         const VkFence *fences, VkBool32 all,
+                                                         uint64_t timeout)
+{
+    return timeout ? real_wait(device, n, fences, all, timeout) : VK_ERROR_OUT_OF_HOST_MEMORY;
+}
+
+/* Objects of a frame in flight stay if its fence cannot be polled. */
+static void objects_stay_if_polls_fail(void **state)
+{
+    struct run_params first = changed(0, 8, 8, false), larger = changed(0, 16, 8, true);
+    struct run run;
+    first.frames_in_flight = larger.frames_in_flight = 3;
+    count_objects(true);
+    real_wait = vkWaitForFences;
+    vkWaitForFences = wait_without_polls;
+    run_open(&run, *state, &first);
+    submit_frame(&run);
+    const int before = alive.Image;
+    made = (struct counts){ 0 };
+    run_update(&run, &larger);
+    assert_true(made.Image > 0);
+    assert_int_equal(alive.Image, before + made.Image);
+    assert_int_equal(rg_exec_wait_all(run.exec), VK_SUCCESS);
+    assert_true(alive.Image < before + made.Image);
+    run_close(&run);
+    vkWaitForFences = real_wait;
+    count_objects(false);
+}
+
 /* Within the largest view, memory and pipelines stay; with the same plan, all. */
 static void what_is_the_same_stays(void **state)
 {
@@ -452,6 +484,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         ON_DEVICE(content_stays),
         ON_DEVICE(plans_change_between_frames_in_flight),
+        ON_DEVICE(objects_stay_if_polls_fail),
         ON_DEVICE(what_is_the_same_stays),
         ON_DEVICE(nothing_is_left),
         ON_DEVICE(pipelines_go_to_other_executors),

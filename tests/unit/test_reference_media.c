@@ -126,6 +126,22 @@ static void test_ranks(void **state)
     assert_true(ranks[2] > ranks[0] && ranks[0] > ranks[1]);
 }
 
+/* The innermost of three containers is the smallest; of two that are equal, the last one. */
+static void test_containers(void **state)
+{
+    struct scene scene = { 0 };
+    (void)state;
+    add_box(&scene, (vec3s){ { 0, 0, 0 } }, (vec3s){ { 4, 4, 4 } }, clear(1.5));
+    add_box(&scene, (vec3s){ { 2, 2, 2 } }, (vec3s){ { 3, 3, 3 } }, clear(1.3));
+    add_box(&scene, (vec3s){ { 1, 1, 1 } }, (vec3s){ { 3.5f, 3.5f, 3.5f } }, clear(1.4));
+    add_box(&scene, (vec3s){ { 1, 1, 1 } }, (vec3s){ { 3.5f, 3.5f, 3.5f } }, clear(1.4));
+    rank(&scene);
+    assert_int_equal(scene.model.objects[1].enclosing_object, 4);
+    assert_int_equal(scene.model.objects[1].container_rank, scene.model.objects[3].rank);
+    assert_int_equal(scene.model.objects[0].enclosing_object, 0);
+    scene_finish(&scene);
+}
+
 /* ---- slabs ---- */
 
 /* What a stack of surfaces reflects without interference, from the first on: each pair as two
@@ -388,10 +404,15 @@ static void test_points(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ranks),         cmocka_unit_test(test_glass_water_glass),
-        cmocka_unit_test(test_split_slab),    cmocka_unit_test(test_attenuation),
-        cmocka_unit_test(test_snells_window), cmocka_unit_test(test_thin_wall),
-        cmocka_unit_test(test_open_sheet),    cmocka_unit_test(test_rough_ball),
+        cmocka_unit_test(test_ranks),
+        cmocka_unit_test(test_containers),
+        cmocka_unit_test(test_glass_water_glass),
+        cmocka_unit_test(test_split_slab),
+        cmocka_unit_test(test_attenuation),
+        cmocka_unit_test(test_snells_window),
+        cmocka_unit_test(test_thin_wall),
+        cmocka_unit_test(test_open_sheet),
+        cmocka_unit_test(test_rough_ball),
         cmocka_unit_test(test_points),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

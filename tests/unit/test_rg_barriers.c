@@ -11,6 +11,7 @@
 #define TESTS \
     (VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT)
 #define FRAGMENT      VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT
+#define DRAWING       (VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | FRAGMENT)
 #define COMPUTE_STAGE VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
 #define COLOR_STAGE   VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT
 #define TRANSFER      VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT
@@ -190,6 +191,77 @@ static void test_barriers_of_a_buffer(void **state)
     rg_plan_destroy(plan);
 }
 
+static void test_barriers_of_reading_a_buffer(void **state)
+{
+    (void)state;
+
+    const struct {
+        enum rg_access access;
+        VkPipelineStageFlags2 stages;
+        VkAccessFlags2 mask;
+    } rows[] = {
+        { RG_VERTEX, VK_PIPELINE_STAGE_2_VERTEX_ATTRIBUTE_INPUT_BIT,
+          VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT },
+        { RG_INDEX, VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT, VK_ACCESS_2_INDEX_READ_BIT },
+        { RG_INDIRECT, VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
+          VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT },
+        { RG_UNIFORM, DRAWING, VK_ACCESS_2_UNIFORM_READ_BIT },
+        { RG_STORAGE_READ, FRAGMENT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT },
+    };
+
+    for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+        const struct rg_pass passes[] = {
+            COMPUTE("sum", { .buffer = &bytes, .access = RG_STORAGE_WRITE }),
+            DRAW("draw", .color = RG_TARGETS({ CLEARED(a) }),
+                 .uses = RG_USES({ .buffer = &bytes, .access = rows[i].access })),
+        };
+        struct rg_plan *plan =
+            small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(a) });
+        CHECK_BARRIERS(
+            plan, 1,
+            { BYTES_FROM(COMPUTE_STAGE, STORAGE_WRITE), BYTES_TO(rows[i].stages, rows[i].mask) },
+            MOVE(a, FROM(ANY_SHADER, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
+        rg_plan_destroy(plan);
+    }
+}
+
+static bool never(const struct rg_frame *frame, uint32_t repetition)
+{
+    (void)frame;
+    (void)repetition;
+    return false;
+}
+
+/* If the only reader does not run, nothing else has waited for the write. */
+static void test_a_conditional_reader_leaves_the_write_pending(void **state)
+{
+    (void)state;
+    const struct rg_pass passes[] = {
+        COMPUTE("sum", { .buffer = &bytes, .access = RG_STORAGE_WRITE }),
+        DRAW("clear", .color = RG_TARGETS({ CLEARED(a) })),
+        DRAW("sometimes", .color = RG_TARGETS({ &a }),
+             .uses = RG_USES({ .buffer = &bytes, .access = RG_VERTEX }), .when = never),
+        COMPUTE("more", { .buffer = &bytes, .access = RG_STORAGE_READ_WRITE }),
+    };
+    struct rg_plan *plan = small_graph_compile(&(struct small_graph){
+        PASSES(passes),
+        .outputs = { { .image = &a, .access = RG_SAMPLED },
+                     { .buffer = &bytes, .access = RG_COPY_SRC } },
+    });
+    bool is_found = false;
+    for (uint32_t i = 0; i < plan->passes[3].barrier_count; i++) {
+        const struct rg_barrier *barrier = &plan->barriers[plan->passes[3].first_barrier + i];
+        if (barrier->image != RG_NONE)
+            continue;
+        is_found = true;
+        assert_int_equal(barrier->src_stages,
+                         COMPUTE_STAGE | VK_PIPELINE_STAGE_2_VERTEX_ATTRIBUTE_INPUT_BIT);
+        assert_int_equal(barrier->src_access, STORAGE_WRITE);
+    }
+    assert_true(is_found);
+    rg_plan_destroy(plan);
+}
+
 static void test_barriers_of_an_import(void **state)
 {
     (void)state;
@@ -347,6 +419,8 @@ int main(void)
         cmocka_unit_test(test_barriers_of_overwriting),
         cmocka_unit_test(test_barriers_of_depth),
         cmocka_unit_test(test_barriers_of_a_buffer),
+        cmocka_unit_test(test_barriers_of_reading_a_buffer),
+        cmocka_unit_test(test_a_conditional_reader_leaves_the_write_pending),
         cmocka_unit_test(test_barriers_of_an_import),
         cmocka_unit_test(test_barriers_of_history),
         cmocka_unit_test(test_barriers_of_shared_memory),

@@ -12,6 +12,7 @@ static const float room_factor = 4.0f;     /* minimum width of a room, in widths
 
 enum {
     PAIR_COUNT = FRAMING_POINT_COUNT / 2, /* opposite directions */
+    BLOCK_VERTICES = 64,                  /* vertices that are skipped together */
     ROTATION_COUNT = 16,                  /* rotations of a rotating object that are framed */
 };
 
@@ -57,6 +58,37 @@ static void search_vertex(struct search *search, const struct mesh_vertex *verte
     }
 }
 
+/* Returns true if no vertex of a box can be extreme. The slack covers rounding. */
+static bool are_within_extremes(const struct search *search, const struct box *box, vec3s center)
+{
+    const vec3s half = glms_vec3_scale(glms_vec3_sub(box->max, box->min), 0.5f);
+    const vec3s p = glms_vec3_sub(box_center(*box), center);
+    const float slack = 1e-5f * (glms_vec3_norm(p) + glms_vec3_norm(half));
+    for (int i = 0; i < PAIR_COUNT; i++) {
+        const float d = p.x * search->x[i] + p.y * search->y[i] + p.z * search->z[i];
+        const float reach = half.x * fabsf(search->x[i]) + half.y * search->y[i] +
+                            half.z * fabsf(search->z[i]) + slack;
+        if (d - reach < search->low[i] || d + reach > search->high[i])
+            return false;
+    }
+    return true;
+}
+
+/* Searches the vertices of a mesh, skipping blocks of consecutive ones within the extremes. */
+static void search_mesh(struct search *search, const struct mesh *mesh, vec3s center)
+{
+    for (uint32_t first = 0; first < mesh->vertex_count; first += BLOCK_VERTICES) {
+        const uint32_t left = mesh->vertex_count - first;
+        const struct mesh block = { .vertices = &mesh->vertices[first],
+                                    .vertex_count = left < BLOCK_VERTICES ? left : BLOCK_VERTICES };
+        const struct box box = mesh_box(&block);
+        if (are_within_extremes(search, &box, center))
+            continue;
+        for (uint32_t i = 0; i < block.vertex_count; i++)
+            search_vertex(search, &block.vertices[i], center);
+    }
+}
+
 static struct box unite(struct box a, struct box b)
 {
     return (struct box){ glms_vec3_minv(a.min, b.min), glms_vec3_maxv(a.max, b.max) };
@@ -88,10 +120,8 @@ void framing_init(struct framing *framing, const struct mesh *object, const stru
     if (has_both && !is_alone)
         framing->box = unite(inner, outer);
     search_init(&search);
-    for (int m = 0; m < (is_alone ? 1 : 2); m++) {
-        for (uint32_t i = 0; i < meshes[m]->vertex_count; i++)
-            search_vertex(&search, &meshes[m]->vertices[i], box_center(framing->box));
-    }
+    for (int m = 0; m < (is_alone ? 1 : 2); m++)
+        search_mesh(&search, meshes[m], box_center(framing->box));
     for (int i = 0; i < PAIR_COUNT && search.lowest[i]; i++) {
         framing->points[framing->count++] = search.lowest[i]->position;
         framing->points[framing->count++] = search.highest[i]->position;

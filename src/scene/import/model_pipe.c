@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/base/machine.h"
 #include "src/file/image.h"
 #include "src/scene/import/importer.h"
 
@@ -368,6 +369,7 @@ static enum pipe_fault read_array(const struct pipe_source *source, const struct
     void *items = calloc((count - 1) / array->row + 1, array->row * size);
     if (!items)
         return PIPE_MEMORY;
+    machine_advise_allocation(items, count * size);
     set_items(array, model, items);
     enum pipe_fault fault = pipe_read(source, items, count * size);
     for (uint32_t i = 0; fault == PIPE_OK && array->check && i < count; i++)
