@@ -417,6 +417,13 @@ static void test_levels_of_quality(void **state)
     }
     const struct settings defaults = settings_default();
     assert_string_equal(qualities[quality_find(&defaults)].name, "normal");
+    /* A level states only values that differ from the default. */
+    for (const struct quality_row *row = quality_rows; row->setting; row++) {
+        for (uint32_t i = 0; i < QUALITY_COUNT; i++) {
+            const double more = quality_value(row, i) - quality_value(row, 1);
+            assert_true(!row->values[i] || fabs(more) > 0);
+        }
+    }
 }
 
 static void test_values_of_levels(void **state)
