@@ -333,6 +333,29 @@ static void in_even_light(void **state)
     scene_finish(&scene);
 }
 
+/* Ice absorbs along its own two parts of a path through a bubble, exp(-a t); the bubble does not. */
+static void absorbed_outside_the_bubble(void **state)
+{
+    const struct bubble sphere = { { { 0, 0, 0 } }, 0.9F };
+    const double t = 0.1, a = 5, reflected = pow((eta - 1) / (eta + 1), 2);
+    struct scene scene = open_scene(&sphere, 1);
+    scene.background.kind = SCENE_COLOR;
+    scene.background.color = (vec3s){ { 1, 1, 1 } };
+    struct picture_request request = request_of(&scene, 0, 4, 1);
+    const struct settings settings = picture_settings("absorb.red=5");
+    request.settings = &settings;
+    request.refraction = "trace";
+    request.width = request.height = 8;
+    struct render_result result = picture_render(*state, &request);
+    for (size_t i = 0; i < 64; i++) {
+        const struct vec seen = picture_at(picture_layer(&result.image, ""), i);
+        CHECK_NEAR(seen.x, pow(1 - reflected, 4) * exp(-2 * a * t) + reflected, 0.03);
+        CHECK_NEAR(seen.y, 1, 0.01);
+    }
+    render_result_finish(&result);
+    scene_finish(&scene);
+}
+
 /* Light through a sphere is followed as its closed forms have it. */
 static void spheres_as_shapes(void **state)
 {
@@ -507,6 +530,7 @@ int main(void)
         cmocka_unit_test(extremes),
         cmocka_unit_test(levels_agree),
         cmocka_unit_test(in_even_light),
+        cmocka_unit_test(absorbed_outside_the_bubble),
         cmocka_unit_test(spheres_as_shapes),
         cmocka_unit_test(long_ones),
         cmocka_unit_test(over_the_ice),
