@@ -331,8 +331,7 @@ VkResult rg_exec_retire_former(struct rg_exec *exec)
     return remove_objects(exec, &retired->objects, false);
 }
 
-/* Returns true if the device may execute a slot's commands. A poll that fails, but for a lost
- * device, tells nothing. */
+/* Returns true if the device may execute a slot's commands, or if a failed poll does not tell. */
 static bool may_run(const struct rg_exec *exec, const struct exec_slot *slot)
 {
     if (!slot->submitted)

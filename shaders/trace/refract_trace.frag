@@ -52,8 +52,8 @@ const int trace_pending_slots = trace_pending_max;
 const int trace_ends_max = 3; /* maximum number of paths per pixel */
 #endif
 const int trace_segments_max = 256; /* maximum number of segments per path */
-/* Number of segments in a pixel after which paths are no longer split. llvmpipe terminates all loops
- * after 65 535 iterations together. Light of pending paths and ends would be lost. */
+/* Number of segments in a pixel after which paths are not split. llvmpipe terminates all loops of a
+ * shader after 65 535 iterations together. Light of pending paths and ends would be lost. */
 const int trace_split_segments_max = 128;
 const float trace_rough_min = 1e-3;
 const float trace_branch_min = 1e-3;
