@@ -333,7 +333,7 @@ static void in_even_light(void **state)
     scene_finish(&scene);
 }
 
-/* Ice absorbs along its own two parts of a path through a bubble, exp(-a t); the bubble does not. */
+/* Along a path through a bubble, only its two segments in ice absorb, by exp(-a t). */
 static void absorbed_outside_the_bubble(void **state)
 {
     const struct bubble sphere = { { { 0, 0, 0 } }, 0.9F };
