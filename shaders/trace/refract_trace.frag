@@ -136,6 +136,12 @@ trace_path escaped_end;
 trace_ray_end ends[trace_ends_max];
 int end_count;
 
+/* Returns true if ends wait. In scenes of one clear object, waiting costs more than it saves. */
+bool trace_defers_ends()
+{
+    return trace_has(TRACE_HAS_MEDIA);
+}
+
 /* Returns the untextured surface parameters of the medium of priority `rank`. */
 object_material trace_untextured(uint rank)
 {
@@ -363,12 +369,9 @@ void trace_push_pending(trace_path other)
         return;
     }
 #endif
-#ifdef TRACE_RAYS
-    pending[pending_count] = other;
-#else
-    pending[1] = pending[0];
+    for (int i = trace_pending_slots - 1; i > 0; i--)
+        pending[i] = pending[i - 1];
     pending[0] = other;
-#endif
     pending_count++;
 }
 
@@ -566,28 +569,6 @@ bool trace_scatter(trace_hit hit, trace_crossing c)
     return trace_survives();
 }
 
-/* Ends the path in surroundings or the environment. Of a primary ray, only what tracing lights or
- * continues counts: rasterisation draws the rest. */
-void trace_end_path(trace_hit hit)
-{
-#ifdef TRACE_RAYS
-    bool is_object = !path_has(path_is_first) || trace_camera_is_inside();
-    bool is_surface = trace_has(TRACE_HAS_HOLES | TRACE_HAS_DIFFUSE_LIGHT) && hit.triangle >= 0;
-    int iterations = is_object || is_surface ? int(trace.one) : 0;
-    while (iterations > 0) {
-        iterations -= int(trace.one);
-        ends[end_count] = trace_ray_end(path, hit);
-        end_count++;
-    }
-#else
-    if ((!path_has(path_is_first) || trace_camera_is_inside()) && end_count < trace_ends_max) {
-        trace_push_end(path);
-        result.is_object = true;
-        escaped_end = path_has(path_sets_last) ? path : escaped_end;
-    }
-#endif
-}
-
 #ifdef TRACE_RAYS
 /* Adds the light of the environment or surroundings where `path` has ended. Through a hole or a
  * blended surface, the path continues as a pending path. */
@@ -630,9 +611,40 @@ void trace_shade_end(trace_hit hit)
     }
 }
 
+#endif
+
+/* Ends the path in surroundings or the environment. Of a primary ray, only what tracing lights or
+ * continues counts: rasterisation draws the rest. */
+void trace_end_path(trace_hit hit)
+{
+#ifdef TRACE_RAYS
+    bool is_object = !path_has(path_is_first) || trace_camera_is_inside();
+    bool is_surface = trace_has(TRACE_HAS_HOLES | TRACE_HAS_DIFFUSE_LIGHT) && hit.triangle >= 0;
+    int iterations = is_object || is_surface ? int(trace.one) : 0;
+    while (iterations > 0) {
+        iterations -= int(trace.one);
+        if (trace_defers_ends()) {
+            ends[end_count] = trace_ray_end(path, hit);
+            end_count++;
+        } else {
+            trace_shade_end(hit);
+        }
+    }
+#else
+    if ((!path_has(path_is_first) || trace_camera_is_inside()) && end_count < trace_ends_max) {
+        trace_push_end(path);
+        result.is_object = true;
+        escaped_end = path_has(path_sets_last) ? path : escaped_end;
+    }
+#endif
+}
+
+#ifdef TRACE_RAYS
 /* Shades ends while there is room for their lighting rays, but at least one. */
 void trace_shade_ends()
 {
+    if (!trace_defers_ends())
+        return;
     trace_path followed = path;
     bool has_room = true;
     while (end_count > 0 && has_room) {
@@ -664,12 +676,9 @@ bool trace_pop_pending()
 {
     bool has_pending = pending_count > 0;
     pending_count = max(pending_count - 1, 0);
-#ifdef TRACE_RAYS
-    path = pending[pending_count];
-#else
     path = pending[0];
-    pending[0] = pending[1];
-#endif
+    for (int i = 0; i + 1 < trace_pending_slots; i++)
+        pending[i] = pending[i + 1];
     return has_pending;
 }
 
@@ -735,7 +744,7 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
     /* pixel groups without rasterised objects skip tracing */
     bool is_going = !is_rasterised || raster_crossing.is_hit;
     while (is_going) {
-        while (is_going && end_count < trace_ends_max)
+        while (is_going && (!trace_defers_ends() || end_count < trace_ends_max))
             is_going = trace_segment(is_rasterised, raster_hit, raster_crossing, channel);
         trace_shade_ends();
         if (!is_going)

@@ -26,8 +26,10 @@ const int medium_steps = 8; /* ray marching steps per segment */
 /* Adds the light scattered into a path along a segment. Returns the medium's transmittance. */
 float trace_medium_transmittance(float t)
 {
+    if (!trace_has(TRACE_HAS_SCATTERING))
+        return 1.0;
     uint rank = trace_current_medium(path.medium_stack);
-    bool is_clear = !trace_has(TRACE_HAS_SCATTERING) || !trace_is_in(path) || path.is_in_bubble;
+    bool is_clear = !trace_is_in(path) || path.is_in_bubble;
     float tint_w = is_clear ? 0.0 : trace_medium(rank, TRACE_TINT).w;
     float transmittance = 1.0;
     int iterations = tint_w < 0.0 ? int(trace.one) : 0;
