@@ -114,8 +114,8 @@ bool path_has(uint flag)
     return (path.flags & flag) != 0u;
 }
 
-/* Ends of paths, in surroundings or the environment. Their light waits until all paths of the pixel
- * have ended, or `ends` is full. All pixels of a SIMD group are then shaded together. */
+/* Ends of paths, in surroundings or the environment. They are shaded when all paths of the pixel
+ * have ended, or `ends` is full, so that all pixels of a SIMD group are shaded together. */
 #ifdef TRACE_RAYS
 struct trace_ray_end {
     trace_path path;
@@ -136,7 +136,8 @@ trace_path escaped_end;
 trace_ray_end ends[trace_ends_max];
 int end_count;
 
-/* Returns true if ends wait. In scenes of one clear object, waiting costs more than it saves. */
+/* Returns true if ends wait: in scenes of several media. In other scenes a pixel has few ends, and
+ * waiting costs more than it saves. */
 bool trace_defers_ends()
 {
     return trace_has(TRACE_HAS_MEDIA);
@@ -610,7 +611,6 @@ void trace_shade_end(trace_hit hit)
         trace_push_pending(path);
     }
 }
-
 #endif
 
 /* Ends the path in surroundings or the environment. Of a primary ray, only what tracing lights or
