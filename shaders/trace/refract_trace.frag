@@ -3,9 +3,8 @@
  *
  * At surfaces a pixel's path splits by Fresnel reflectance: the refracted path is followed,
  * reflected paths with enough throughput are pushed onto a stack of pending paths. One loop over
- * path segments serves all paths. With TRACE_RAYS, rays also hit the triangles of the surroundings,
- * which are shaded later, together. Otherwise paths that leave the objects end with a lookup in the
- * environment cube.
+ * path segments serves all paths. With TRACE_RAYS, rays also hit the triangles of the surroundings;
+ * otherwise paths that leave the objects end with a lookup in the environment cube.
  *
  * Code for rare cases is in loops that run at most once: lavapipe (Mesa 22.3) skips a loop that no
  * pixel of a group enters, but executes both sides of a branch.
@@ -43,18 +42,15 @@ layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
 #endif
 
 #ifdef TRACE_RAYS
-const int trace_pending_max = 6;                       /* maximum number of pending paths */
-const int trace_pending_slots = trace_pending_max + 1; /* one for a path through a hole */
-const int trace_ends_max = 8; /* number of ends after which they are shaded */
+const int trace_pending_max = 6; /* maximum number of pending paths */
 #else
 const int trace_pending_max = 2;
-const int trace_pending_slots = trace_pending_max;
 const int trace_ends_max = 3; /* maximum number of paths per pixel */
 #endif
 const int trace_segments_max = 256; /* maximum number of segments per path */
-/* Number of segments in a pixel after which paths are not split. llvmpipe terminates all loops of a
- * shader after 65 535 iterations together. Light of pending paths and ends would be lost. */
-const int trace_split_segments_max = 128;
+/* Number of segments in a pixel after which paths are no longer split. Light of pending paths would
+ * be lost, because llvmpipe terminates loops after 65 535 iterations. */
+const int trace_split_segments_max = 256;
 const float trace_rough_min = 1e-3;
 const float trace_branch_min = 1e-3;
 const float trace_expected_lod = 6.0;
@@ -63,11 +59,6 @@ const uint trace_split_seed = 60u;
 const uint trace_choice_seed = 61u;
 const uint trace_survival_seed = 62u;
 const float trace_lighting_branch = 0.1; /* minimum throughput of lighting rays */
-
-/* bits of trace_path.flags */
-const uint path_is_first = 1u;  /* no surface has been hit yet */
-const uint path_is_main = 2u;   /* main (refracted) path, of which there are layers */
-const uint path_sets_last = 4u; /* may set result.last */
 
 /* State of a path, traced from the camera towards the light. */
 struct trace_path {
@@ -85,7 +76,6 @@ struct trace_path {
     float open;
     vec3 d_origin, d_dir; /* ray differentials of origin and direction */
     bool shows_backdrop;  /* has only been refracted, and the image has no background */
-    uint flags;           /* path_is_first and others */
 };
 
 struct trace_result {
@@ -102,46 +92,30 @@ struct trace_result {
 
 /* Per-pixel state in global variables, because lavapipe compiles array arguments slowly. */
 
-trace_path path;                         /* the path that is being followed */
-trace_path pending[trace_pending_slots]; /* pending paths, the latest one first */
+trace_path path;                       /* the path that is being followed */
+trace_path pending[trace_pending_max]; /* pending paths, the latest one first */
 int pending_count;
 int segment_count; /* number of segments so far */
 trace_result result;
-vec3 start; /* origin of the primary ray */
+vec3 start;     /* origin of the primary ray */
+bool is_first;  /* no surface has been hit yet */
+bool is_main;   /* the main path is followed (result.path_length) */
+bool sets_last; /* the followed path may set result.last */
 
-bool path_has(uint flag)
-{
-    return (path.flags & flag) != 0u;
-}
-
-/* Ends of paths, in surroundings or the environment. They are shaded when all paths of the pixel
- * have ended, or `ends` is full, so that all pixels of a SIMD group are shaded together. */
-#ifdef TRACE_RAYS
-struct trace_ray_end {
-    trace_path path;
-    trace_hit hit;
-};
-#else
+#ifndef TRACE_RAYS
+/* End of a path that leaves the objects. Environment lookups wait until all paths of the pixel have
+ * ended. All pixels of a SIMD group then do their lookups together. */
 struct trace_ray_end {
     vec3 origin, dir, throughput;
     float kind;
     bool shows_backdrop;
 };
 
-int ends_left;
+trace_ray_end ends[trace_ends_max];
+int end_count, ends_left;
 /* end of the path that sets result.last; throughput is 0 if the path never leaves the objects */
 trace_path escaped_end;
 #endif
-
-trace_ray_end ends[trace_ends_max];
-int end_count;
-
-/* Returns true if ends wait: in scenes of several media. In other scenes a pixel has few ends, and
- * waiting costs more than it saves. */
-bool trace_defers_ends()
-{
-    return trace_has(TRACE_HAS_MEDIA);
-}
 
 /* Returns the untextured surface parameters of the medium of priority `rank`. */
 object_material trace_untextured(uint rank)
@@ -319,20 +293,24 @@ void trace_begin(vec3 eye, vec3 e)
     bool is_in_bubble = trace_has(TRACE_HAS_INCLUSIONS) && trace.is_in_bubble != 0u;
     path = trace_path(eye, e, vec3(1.0), trace_camera_stack(), -1, side, 1e30, seed, 0.0,
                       trace_segments_max, is_in_bubble, false, 1.0, differential_origin,
-                      differential_dir, constant_backdrop == GLOBALS_BACKDROP_NONE,
-                      path_is_first | path_is_main | path_sets_last);
+                      differential_dir, constant_backdrop == GLOBALS_BACKDROP_NONE);
+    for (int i = 0; i < trace_pending_max; i++)
+        pending[i] = path;
     pending_count = 0;
     segment_count = 0;
     start = eye;
     result = trace_result(vec3(0.0), vec3(0.0), -e, 0.0, 0.0, false, false, e, 0.0, 0.0, 0.0, 0u,
                           vec3(0.0));
-    end_count = 0;
+    is_first = true;
+    is_main = true;
+    sets_last = true;
 #ifdef TRACE_DENOISE
     denoise_begin();
 #endif
 #ifndef TRACE_RAYS
     for (int i = 0; i < trace_ends_max; i++)
         ends[i] = trace_ray_end(eye, e, vec3(0.0), 0.0, false);
+    end_count = 0;
     escaped_end = path;
     escaped_end.throughput = vec3(0.0);
     ends_left = trace_ends_max - 1;
@@ -370,7 +348,7 @@ void trace_push_pending(trace_path other)
         return;
     }
 #endif
-    for (int i = trace_pending_slots - 1; i > 0; i--)
+    for (int i = trace_pending_max - 1; i > 0; i--)
         pending[i] = pending[i - 1];
     pending[0] = other;
     pending_count++;
@@ -419,11 +397,8 @@ bool trace_roulette(inout vec3 throughput, vec3 dir, float kind, float probabili
 {
     bool is_followed = trace_random(salt) < probability;
     float weight = is_followed ? 1.0 / max(probability, 1e-30) : 0.0;
-    int iterations = probability < 1.0 ? int(trace.one) : 0;
-    while (iterations > 0) {
-        iterations -= int(trace.one);
+    if (probability < 1.0)
         trace_add((1.0 - weight) * throughput * trace_expected_radiance(dir), kind);
-    }
     throughput *= weight;
     return is_followed;
 }
@@ -436,7 +411,7 @@ bool trace_is_split(inout vec3 throughput, vec3 dir)
     float min_throughput = max(trace.branch, trace_branch_min);
     if (trace_has(TRACE_HAS_DIFFUSE_LIGHT) && path.is_lighting_ray)
         min_throughput = max(min_throughput, trace_lighting_branch);
-    float probability = path_has(path_is_first) ? 1.0 : min(max_throughput / min_throughput, 1.0);
+    float probability = is_first ? 1.0 : min(max_throughput / min_throughput, 1.0);
     return max_throughput > 0.0 &&
            trace_roulette(throughput, dir, path.kind, probability, trace_split_seed);
 }
@@ -508,14 +483,14 @@ vec3 trace_transmitted(trace_hit hit, trace_crossing c, trace_fresnel_split p)
 
 void trace_record(trace_hit hit, trace_crossing c, float fresnel, bool is_total)
 {
-    if (!path_has(path_is_first) && path_has(path_sets_last) && !c.is_inclusion)
+    if (!is_first && sets_last && !c.is_inclusion)
         result.last = trace_object_number(hit.triangle);
-    if (path_has(path_is_first)) {
+    if (is_first) {
         result.is_object = true;
         result.normal = c.n;
         result.distance = distance(start, path.origin) + hit.t;
         result.fresnel = fresnel;
-    } else if (path_has(path_is_main) && trace_is_in(path)) {
+    } else if (is_main && trace_is_in(path)) {
         result.bounces += is_total ? 1.0 : 0.0;
         result.segments += 1.0;
     }
@@ -527,7 +502,7 @@ bool trace_survives()
 {
     float max_throughput = max(path.throughput.r, max(path.throughput.g, path.throughput.b));
     float probability = min(max_throughput / max(trace.branch, trace_branch_min), 1.0);
-    return path_has(path_is_main) || path.shows_backdrop
+    return is_main || path.shows_backdrop
                ? max_throughput > 1e-5
                : max_throughput > 0.0 && trace_roulette(path.throughput, path.dir, path.kind,
                                                         probability, trace_survival_seed);
@@ -551,8 +526,7 @@ bool trace_scatter(trace_hit hit, trace_crossing c)
         if (trace_is_split(back, p.reflected)) {
             trace_path other = trace_continue(path, hit, c, p.reflected, false);
             other.throughput = back;
-            other.kind = path_has(path_is_first) ? 1.0 : path.kind;
-            other.flags = 0u;
+            other.kind = is_first ? 1.0 : path.kind;
             trace_push_pending(other);
         }
     } else if (!is_total) { /* one of the branches, by Russian roulette */
@@ -560,126 +534,81 @@ bool trace_scatter(trace_hit hit, trace_crossing c)
         through *= (1.0 - reflectance) / (1.0 - p.fresnel);
         back /= max(p.fresnel, 1e-30);
     }
-    bool is_mirror = path_has(path_is_first) && is_total;
+    bool is_mirror = is_first && is_total;
     path = trace_continue(path, hit, c, is_total ? p.reflected : p.refracted, !is_total);
     path.throughput = is_total ? back : through;
     path.kind = is_mirror ? 1.0 : path.kind;
-    result.exit = path_has(path_is_main) ? path.dir : result.exit;
-    bool is_main = path_has(path_is_main) && trace_is_in(path) && !is_mirror;
-    path.flags = path.flags & path_sets_last | (is_main ? path_is_main : 0u);
+    result.exit = is_main ? path.dir : result.exit;
+    is_main = is_main && trace_is_in(path) && !is_mirror;
+    is_first = false;
     return trace_survives();
 }
 
-#ifdef TRACE_RAYS
-/* Adds the light of the environment or surroundings where `path` has ended. Through a hole or a
- * blended surface, the path continues as a pending path. */
-void trace_shade_end(trace_hit hit)
+/* Adds the light of the environment or surroundings where a path ends. Returns true if the path
+ * continues instead, through a hole or a blended surface. */
+bool trace_end_path(trace_hit hit)
 {
+    bool goes_on = false;
+#ifdef TRACE_RAYS
+    int iterations = is_first && !trace_camera_is_inside() ? 0 : int(trace.one);
     bool has_holes = trace_has(TRACE_HAS_HOLES) && hit.triangle >= 0 && path.left > 0;
     bool is_shaded = trace_has(TRACE_HAS_DIFFUSE_LIGHT) && hit.triangle >= 0;
-    float passing;
-    vec3 light = trace_radiance_at_end(path, hit, passing) * (1.0 - passing);
-    bool is_surroundings = hit.bvh == BVH_SURROUNDINGS || hit.bvh == BVH_MOVERS;
-    /* long paths may end in bubbles */
-    if (path_has(path_sets_last) && is_surroundings && passing <= 0.5)
-        result.last = trace_object_number(hit.triangle);
-    bool is_primary = path_has(path_is_first) && !trace_camera_is_inside();
-    if (is_shaded && is_primary && lobes.is_lit && passing == 0.0) {
-        lighting_begin(hit);
-        trace_add(light, 0.0);
-    } else if (is_primary) {
-        /* blended surfaces do not attenuate primary rays: surroundings are composited later */
-        passing = passing > 0.0 ? 1.0 : 0.0;
-    } else {
-        float open = 1.0;
-        if (trace_has(TRACE_HAS_DIFFUSE_LIGHT) && hit.triangle < 0 && path.open > 0.0)
-            open = path.open;
-        bool is_backdrop = path.shows_backdrop && hit.triangle < 0;
-        if (is_backdrop)
-            result.backdrop += path.throughput;
-        else
-            trace_add(open * path.throughput * light, path.kind);
-        result.is_object = true;
-    }
-    if (is_shaded && !path_has(path_is_first))
-        light_gather_at(hit, path.throughput * (1.0 - passing));
-    if (has_holes && passing > 0.0) {
-        path.throughput *= passing;
-        path.origin += hit.t * path.dir;
-        path.from = hit.triangle;
-        path.side = 0.0;
-        trace_push_pending(path);
-    }
-}
-#endif
-
-/* Ends the path in surroundings or the environment. Of a primary ray, only what tracing lights or
- * continues counts: rasterisation draws the rest. */
-void trace_end_path(trace_hit hit)
-{
-#ifdef TRACE_RAYS
-    bool is_object = !path_has(path_is_first) || trace_camera_is_inside();
-    bool is_surface = trace_has(TRACE_HAS_HOLES | TRACE_HAS_DIFFUSE_LIGHT) && hit.triangle >= 0;
-    int iterations = is_object || is_surface ? int(trace.one) : 0;
+    if (has_holes || is_shaded)
+        iterations = int(trace.one);
     while (iterations > 0) {
+        float passing;
         iterations -= int(trace.one);
-        if (trace_defers_ends()) {
-            ends[end_count] = trace_ray_end(path, hit);
-            end_count++;
+        vec3 light = trace_radiance_at_end(path, hit, passing) * (1.0 - passing);
+        bool is_surroundings = hit.bvh == BVH_SURROUNDINGS || hit.bvh == BVH_MOVERS;
+        if (sets_last && is_surroundings && passing <= 0.5) /* long paths may end in bubbles */
+            result.last = trace_object_number(hit.triangle);
+        if (is_shaded && is_first && !trace_camera_is_inside() && lobes.is_lit && passing == 0.0) {
+            lighting_begin(hit);
+            trace_add(light, 0.0);
+        } else if (is_first && !trace_camera_is_inside()) {
+            /* blended surfaces do not attenuate primary rays: surroundings are composited later */
+            passing = passing > 0.0 ? 1.0 : 0.0;
         } else {
-            trace_shade_end(hit);
+            float open = 1.0;
+            if (trace_has(TRACE_HAS_DIFFUSE_LIGHT) && hit.triangle < 0 && path.open > 0.0)
+                open = path.open;
+            bool is_backdrop = path.shows_backdrop && hit.triangle < 0;
+            if (is_backdrop)
+                result.backdrop += path.throughput;
+            else
+                trace_add(open * path.throughput * light, path.kind);
+            result.is_object = true;
+        }
+        if (is_shaded && !is_first)
+            light_gather_at(hit, path.throughput * (1.0 - passing));
+        goes_on = has_holes && passing > 0.0;
+        if (goes_on) {
+            path.throughput *= passing;
+            path.origin += hit.t * path.dir;
+            path.from = hit.triangle;
+            path.side = 0.0;
         }
     }
 #else
-    if ((!path_has(path_is_first) || trace_camera_is_inside()) && end_count < trace_ends_max) {
+    if ((!is_first || trace_camera_is_inside()) && end_count < trace_ends_max) {
         trace_push_end(path);
         result.is_object = true;
-        escaped_end = path_has(path_sets_last) ? path : escaped_end;
+        escaped_end = sets_last ? path : escaped_end;
     }
 #endif
+    return goes_on;
 }
-
-#ifdef TRACE_RAYS
-/* Shades ends while there is room for their lighting rays, but at least one. */
-void trace_shade_ends()
-{
-    if (!trace_defers_ends())
-        return;
-    trace_path followed = path;
-    bool has_room = true;
-    while (end_count > 0 && has_room) {
-        end_count--;
-        path = ends[end_count].path;
-        trace_shade_end(ends[end_count].hit);
-        has_room = pending_count + LIGHT_GATHER_RAYS < trace_pending_max;
-    }
-    path = followed;
-}
-#else
-void trace_shade_ends()
-{
-    for (int i = 0; i < end_count; i++) {
-        trace_ray_end end = ends[0];
-        for (int k = 1; k < trace_ends_max; k++)
-            end = k == i ? ends[k] : end;
-        float backdrop;
-        vec3 light = refract_environment_seen(end.origin, end.dir, end.shows_backdrop, backdrop);
-        trace_add(end.throughput * light, end.kind);
-        result.backdrop += backdrop * end.throughput;
-    }
-    end_count = 0;
-}
-#endif
 
 /* Makes the next pending path the current one. Returns false if there is none. */
 bool trace_pop_pending()
 {
-    bool has_pending = pending_count > 0;
-    pending_count = max(pending_count - 1, 0);
     path = pending[0];
-    for (int i = 0; i + 1 < trace_pending_slots; i++)
+    for (int i = 0; i + 1 < trace_pending_max; i++)
         pending[i] = pending[i + 1];
-    return has_pending;
+    is_main = false;
+    sets_last = false;
+    pending_count--;
+    return pending_count >= 0;
 }
 
 /* Moves the path along one segment to its hit. Returns true if the path has ended. */
@@ -688,8 +617,7 @@ bool trace_step(trace_hit hit, trace_crossing c)
     if (hit.t < 1e30) {
         path.throughput = trace_absorb(path, hit.t);
         path.throughput *= trace_medium_transmittance(hit.t);
-        if (path_has(path_is_main) && !path_has(path_is_first) && trace_is_in(path))
-            result.path_length += hit.t;
+        result.path_length += is_main && trace_is_in(path) && !is_first ? hit.t : 0.0;
     }
     path.left--;
     segment_count++;
@@ -706,32 +634,9 @@ bool trace_step(trace_hit hit, trace_crossing c)
         }
 #endif
     }
-    if (!crosses) {
-        is_over = true;
-        trace_end_path(hit);
-    }
+    if (!crosses)
+        is_over = !trace_end_path(hit);
     return is_over;
-}
-
-/* Traces the next segment. If the path ends, makes the next pending path the current one. Returns
- * false if there is none. `raster_hit` and `raster_crossing` replace the first hit. */
-bool trace_segment(bool is_rasterised, trace_hit raster_hit, trace_crossing raster_crossing,
-                   int channel)
-{
-    trace_contact contact;
-    bool is_first = is_rasterised && path_has(path_is_first);
-    trace_hit hit = contact_next_hit(path, !is_first, contact);
-    trace_crossing c = trace_crossing_at(path, hit, contact, channel);
-    if (is_first) {
-        hit = raster_hit;
-        c.n = raster_crossing.n;
-        c.facet = c.n;
-        c.rank = raster_crossing.rank;
-        c.is_hit = raster_crossing.is_hit;
-        c.is_entering = true;
-        c.eta = refract_frame.etas[channel];
-    }
-    return !trace_step(hit, c) || trace_pop_pending();
 }
 
 void trace_pixel(vec3 eye, vec3 e, int channel)
@@ -744,12 +649,32 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
     /* pixel groups without rasterised objects skip tracing */
     bool is_going = !is_rasterised || raster_crossing.is_hit;
     while (is_going) {
-        while (is_going && (!trace_defers_ends() || end_count < trace_ends_max))
-            is_going = trace_segment(is_rasterised, raster_hit, raster_crossing, channel);
-        trace_shade_ends();
-        if (!is_going)
+        trace_contact contact;
+        trace_hit hit = contact_next_hit(path, !(is_first && is_rasterised), contact);
+        trace_crossing c = trace_crossing_at(path, hit, contact, channel);
+        if (is_rasterised && is_first) {
+            hit = raster_hit;
+            c.n = raster_crossing.n;
+            c.facet = c.n;
+            c.rank = raster_crossing.rank;
+            c.is_hit = raster_crossing.is_hit;
+            c.is_entering = true;
+            c.eta = refract_frame.etas[channel];
+        }
+        if (trace_step(hit, c))
             is_going = trace_pop_pending();
     }
+#ifndef TRACE_RAYS
+    for (int i = 0; i < end_count; i++) {
+        trace_ray_end end = ends[0];
+        for (int k = 1; k < trace_ends_max; k++)
+            end = k == i ? ends[k] : end;
+        float backdrop;
+        vec3 light = refract_environment_seen(end.origin, end.dir, end.shows_backdrop, backdrop);
+        trace_add(end.throughput * light, end.kind);
+        result.backdrop += backdrop * end.throughput;
+    }
+#endif
 }
 
 #include "trace/trace_dispersion.glsl"

@@ -19,10 +19,10 @@ uint trace_bvh_mask(trace_path path)
     uint surroundings = 0u;
 #endif
     /* primary rays skip surroundings, which rasterisation composites in front of objects */
-    if (!trace_has(TRACE_HAS_HOLES | TRACE_HAS_DIFFUSE_LIGHT) && path_has(path_is_first) &&
+    if (!trace_has(TRACE_HAS_HOLES | TRACE_HAS_DIFFUSE_LIGHT) && is_first &&
         !trace_camera_is_inside())
         surroundings = 0u;
-    bool has_left = trace_has(TRACE_IS_CONVEX) && path.side < 0.0 && !path_has(path_is_first);
+    bool has_left = trace_has(TRACE_IS_CONVEX) && path.side < 0.0 && !is_first;
     uint objects = has_left ? 0u : 1u << BVH_OBJECTS;
     return objects | surroundings | (hits_inclusions ? 1u << BVH_INCLUSIONS : 0u);
 }

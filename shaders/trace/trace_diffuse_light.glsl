@@ -101,7 +101,6 @@ void lighting_push_ray(trace_hit hit, vec3 dir, vec3 throughput, float open, uin
     other.seed = microfacet_hash(path.seed, DIFFUSE_SAMPLING_PATH_SEED);
     other.is_lighting_ray = true;
     other.shows_backdrop = false;
-    other.flags = 0u;
     other.open = open;
     trace_push_pending(other);
 }
@@ -187,7 +186,8 @@ void lighting_begin(trace_hit hit)
     result.is_object = true;
     result.is_ground = true;
     result.distance = distance(start, path.origin) + hit.t;
-    path.flags &= path_sets_last;
+    is_first = false;
+    is_main = false;
 }
 
 float lighting_sky_roughness(trace_path path)

@@ -26,27 +26,18 @@ const int medium_steps = 8; /* ray marching steps per segment */
 /* Adds the light scattered into a path along a segment. Returns the medium's transmittance. */
 float trace_medium_transmittance(float t)
 {
-    if (!trace_has(TRACE_HAS_SCATTERING))
-        return 1.0;
     uint rank = trace_current_medium(path.medium_stack);
-    bool is_clear = !trace_is_in(path) || path.is_in_bubble;
+    bool is_clear = !trace_has(TRACE_HAS_SCATTERING) || !trace_is_in(path) || path.is_in_bubble;
     float tint_w = is_clear ? 0.0 : trace_medium(rank, TRACE_TINT).w;
-    float transmittance = 1.0;
-    int iterations = tint_w < 0.0 ? int(trace.one) : 0;
-    while (iterations > 0) {
-        iterations -= int(trace.one);
-        medium_field field = trace.scattering_media[int(max(-1.0 - tint_w, 0.0))];
-        vec3 from = trace_unposed_point(path.origin, BVH_OBJECTS);
-        vec3 along = trace_unposed_point(path.origin + path.dir, BVH_OBJECTS) - from;
-        vec3 to_sun = trace_unposed_point(path.origin + frame.sun_dir, BVH_OBJECTS) - from;
-        medium_segment segment =
-            medium_march(field, from, along, to_sun, dot(path.dir, frame.sun_dir), t, medium_steps,
-                         medium_steps);
-        if (segment.depth > 0.0)
-            trace_add(path.throughput * medium_light(segment, path.dir), path.kind);
-        transmittance = exp(-segment.depth);
-    }
-    return transmittance;
+    medium_field field = trace.scattering_media[int(max(-1.0 - tint_w, 0.0))];
+    vec3 from = trace_unposed_point(path.origin, BVH_OBJECTS);
+    vec3 along = trace_unposed_point(path.origin + path.dir, BVH_OBJECTS) - from;
+    vec3 to_sun = trace_unposed_point(path.origin + frame.sun_dir, BVH_OBJECTS) - from;
+    medium_segment segment = medium_march(field, from, along, to_sun, dot(path.dir, frame.sun_dir),
+                                          t, medium_steps, tint_w < 0.0 ? medium_steps : 0);
+    if (segment.depth > 0.0)
+        trace_add(path.throughput * medium_light(segment, path.dir), path.kind);
+    return exp(-segment.depth);
 }
 #endif
 

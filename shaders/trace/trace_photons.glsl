@@ -35,16 +35,18 @@ void photon_begin(uint seed)
 {
     vec4 row_x = transpose(light.clip_from_world)[0], row_y = transpose(light.clip_from_world)[1];
     vec3 x = normalize(row_x.xyz), y = normalize(row_y.xyz);
-    path =
-        trace_path(vec3(0.0), vec3(0.0), vec3(1.0), uvec4(0u), -1,
-                   trace_has(TRACE_HAS_CULLING) ? -1.0 : 0.0, 1e30, seed, 0.0, trace_segments_max,
-                   false, true, 0.0, vec3(0.0), vec3(0.0), false, path_is_first);
+    path = trace_path(vec3(0.0), vec3(0.0), vec3(1.0), uvec4(0u), -1,
+                      trace_has(TRACE_HAS_CULLING) ? -1.0 : 0.0, 1e30, seed, 0.0,
+                      trace_segments_max, false, true, 0.0, vec3(0.0), vec3(0.0), false);
     vec2 texel = floor(gl_FragCoord.xy) + path_random_point(photon_texel_seed);
     vec2 at = ICE_CAUSTICS_MARGIN * (2.0 * texel / float(ICE_CAUSTICS_PHOTONS) - 1.0);
     float radius = 0.5 * radians(push.sun);
     vec3 up = diffuse_sampling_disc_dir(frame.sun_dir, radius, path_random_point(photon_sun_seed));
     path.origin = frame.center + frame.radius * (1.01 * up + at.x * x + at.y * y);
     path.dir = -up;
+    is_first = true;
+    is_main = false;
+    sets_last = false;
 }
 
 /* Returns the reduced optical depth of scattering media along a segment of length `t`. */
@@ -78,7 +80,7 @@ void photon_scatter(trace_hit hit, trace_crossing c)
     path = trace_continue(path, hit, c, is_back ? p.reflected : p.refracted, !is_back);
     path.throughput = throughput;
     path.seed = microfacet_hash(path.seed, photon_choice_seed);
-    path.flags = 0u;
+    is_first = false;
 }
 
 /* Moves the photon along one segment to its hit. Returns true if the photon's path has ended. */
@@ -116,8 +118,7 @@ vec2 photon_follow(int channel)
     } while (is_going);
     bool is_surroundings = hit.bvh == BVH_SURROUNDINGS || hit.bvh == BVH_MOVERS;
     vec4 clip = ice_light_clip(path.origin + hit.t * path.dir);
-    if (hit.triangle < 0 || !is_surroundings || path_has(path_is_first) ||
-        ice_light_is_hidden(ground, clip))
+    if (hit.triangle < 0 || !is_surroundings || is_first || ice_light_is_hidden(ground, clip))
         path.throughput = vec3(0.0);
     return ice_light_uv(clip);
 }

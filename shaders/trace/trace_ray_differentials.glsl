@@ -88,7 +88,7 @@ void differential_scatter(trace_path path, trace_crossing c, vec3 dir, bool is_t
 /* Returns the mip level at which a path looks up the environment map. */
 float differential_lod(trace_path path)
 {
-    if (!trace_has(TRACE_HAS_RAY_DIFFERENTIALS) || path_has(path_is_first))
+    if (!trace_has(TRACE_HAS_RAY_DIFFERENTIALS) || is_first)
         return 0.0;
     float width = float(textureSize(environment, 0).x);
     return max(0.0, log2(max(length(path.d_dir) * width / 6.2831853, 1e-6)));
