@@ -508,8 +508,8 @@ struct rg_fault {
 RG_API struct rg_plan *rg_compile(const struct rg_compile_params *params);
 
 /* Frees a plan. NULL is allowed. rg_compile_params.memory stays the caller's. If executors still
- * have the plan, they refuse to draw its frames, and the last of them frees it when it is updated
- * or destroyed. */
+ * use the plan, they reject its frames. The last of them frees it when it is updated to another
+ * plan or destroyed; the plan's tables and memory must last until then. */
 RG_API void rg_plan_destroy(struct rg_plan *plan);
 
 /* Returns the create info of a plan's image, for queries of memory and for vkCreateImage(). */

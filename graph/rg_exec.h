@@ -18,7 +18,8 @@
  *         ... rg_exec_mapped(exec, &readback, slot) ...
  *     }
  *
- * Ownership:     the plan, its tables, the device and imported objects outlive the executor.
+ * Ownership:     the plan, its tables, the device and imported objects outlive the executor; after
+ *                rg_plan_destroy(), frames are rejected, and the tables must still last.
  * Errors:        VkResult. The log callback receives the failed call and the name of its object.
  *                VK_ERROR_VALIDATION_FAILED_EXT means invalid usage: the call had no effect. A
  *                rejected frame is not submitted, its semaphores are untouched, and

@@ -110,12 +110,26 @@ static VkResult make_all(struct rg_exec *exec)
     return result;
 }
 
+static bool is_destroyed(const struct rg_plan *plan)
+{
+    return __atomic_load_n(&plan->users, __ATOMIC_ACQUIRE) & RG_PLAN_DESTROYED;
+}
+
+bool rg_exec_refuse_plan(const struct rg_exec *exec)
+{
+    if (is_destroyed(exec->plan))
+        (void)rg_exec_refuse(exec, "a frame of a plan after its rg_plan_destroy()");
+    return is_destroyed(exec->plan);
+}
+
 /* Returns a message if the parameters are invalid, otherwise NULL. */
 static const char *params_problem(const struct rg_exec_params *p)
 {
     const VkSpecializationInfo *k = p->constants;
     if (!p->plan || p->plan->fault_count || !p->get_proc_addr)
         return "params without a plan free of faults, or without get_proc_addr";
+    if (is_destroyed(p->plan))
+        return "params with a destroyed plan";
     if (p->set_count && !p->sets)
         return "params with a set_count but no sets";
     if (p->sampler_count && !p->samplers)
@@ -403,6 +417,8 @@ VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *fram
     if (!sync || (sync->wait_count && !sync->waits) || (sync->signal_count && !sync->signals))
         return rg_exec_refuse(exec, "rg_exec_submit_synced() with a sync or an array that is NULL");
     exec->begun = false;
+    if (rg_exec_refuse_plan(exec))
+        return VK_ERROR_VALIDATION_FAILED_EXT;
     if (!rg_exec_select_images(exec, sync->image_index))
         return rg_exec_refuse(exec, "rg_exec_external_sync.image_index beyond the images");
     exec->external_sync = *sync;
@@ -430,6 +446,8 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_exec_recording *re
         return rg_exec_refuse(exec, "rg_exec_record() before the last part");
     if (exec->plan->submission_count)
         return rg_exec_refuse(exec, "rg_exec_record() of a plan for several queues");
+    if (rg_exec_refuse_plan(exec))
+        return VK_ERROR_VALIDATION_FAILED_EXT;
     if (!recording->commands)
         return rg_exec_refuse(exec, "rg_exec_record() without a command buffer");
     if (recording->slot >= exec->slot_count ||

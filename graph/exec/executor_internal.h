@@ -200,6 +200,8 @@ VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *
                        const char *of);
 /* Logs a call that is not allowed now. Returns VK_ERROR_VALIDATION_FAILED_EXT. */
 VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse);
+/* Logs a frame of a destroyed plan. Returns true if the plan was destroyed. */
+bool rg_exec_refuse_plan(const struct rg_exec *exec);
 
 /* Calls a function that logs its own failures. If the call fails, jumps to `fail`. The caller has a
  * variable `result` and a label `fail`. */

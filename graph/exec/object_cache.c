@@ -331,7 +331,7 @@ VkResult rg_exec_retire_former(struct rg_exec *exec)
     return remove_objects(exec, &retired->objects, false);
 }
 
-/* Returns true if the device may execute a slot's commands, or if a failed poll does not tell. */
+/* Returns true if the device may still execute a slot's commands, also if the poll fails. */
 static bool may_run(const struct rg_exec *exec, const struct exec_slot *slot)
 {
     if (!slot->submitted)

@@ -185,6 +185,8 @@ VkResult rg_exec_submit_part(struct rg_exec *exec, const struct rg_frame *frame,
         return rg_exec_refuse(exec, "rg_exec_submit_part() without rg_exec_begin()");
     if (exec->plan->submission_count)
         return rg_exec_refuse(exec, "rg_exec_submit_part() of a plan for several queues");
+    if (rg_exec_refuse_plan(exec))
+        return VK_ERROR_VALIDATION_FAILED_EXT;
     if (!exec->costs && !RG_MAKE_ARRAY(exec, exec->costs, exec->plan->pass_count))
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     if (!exec->next_part.count) {

@@ -224,10 +224,6 @@ VkResult rg_exec_record_part(struct rg_exec *exec, VkCommandBuffer commands,
     const bool is_boundary = !plan->submission_count || !part->count;
     const bool is_first = part->first == 0 && part->begins && is_boundary;
     exec->record_result = VK_SUCCESS;
-    if (__atomic_load_n(&plan->users, __ATOMIC_ACQUIRE) & RG_PLAN_DESTROYED) {
-        exec->record_result = rg_exec_refuse(exec, "a frame of a plan after its rg_plan_destroy()");
-        return VK_ERROR_VALIDATION_FAILED_EXT;
-    }
     if (is_first && !exec->initialized) {
         rg_exec_record_clear(exec, commands);
         rg_exec_record_fallbacks(exec, commands);
