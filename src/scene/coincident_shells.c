@@ -261,8 +261,9 @@ static bool is_beside(vec3s normal, vec3s corner, const vec3s other[static 3], f
     return !(low <= epsilon && high >= -epsilon);
 }
 
-/* Returns true if the part of triangle `b` in the prism over triangle `a` has at most about a given
- * area. The part lies in a strip along each edge of `a`, whose area the dot products are. */
+/* Returns true if the part of triangle `b` in the prism over triangle `a` has less than `area`. It
+ * lies in a strip along each edge of `a`: the edge's length times the greatest distance of `b`, the
+ * dot product, bounds its area. The factor covers rounding and the tilt of `b`. */
 static bool overlaps_little(const vec3s a[static 3], vec3s normal, const vec3s b[static 3],
                             float area)
 {

@@ -68,7 +68,7 @@ static bool are_within_extremes(const struct search *search, const struct box *b
         const float d = p.x * search->x[i] + p.y * search->y[i] + p.z * search->z[i];
         const float reach = half.x * fabsf(search->x[i]) + half.y * search->y[i] +
                             half.z * fabsf(search->z[i]) + slack;
-        if (d - reach < search->low[i] || d + reach > search->high[i])
+        if (!(d - reach >= search->low[i] && d + reach <= search->high[i])) /* or NaN */
             return false;
     }
     return true;
