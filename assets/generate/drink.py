@@ -126,7 +126,7 @@ def straw():
     mesh = Mesh([], [], [])
     count = 41  # last column: same points as the first, u = 1 instead of 0
     # Strips of rings: outside upwards, upper cut, inside downwards, lower cut. The walls have many
-    # rings: bounding boxes of long triangles that lean are as large as the straw's.
+    # rings: the bounding box of a long slanted triangle is as large as the straw's, and slows BVHs.
     thin = radius - 0.00048
     for r, end_r, share, end_share, out, steps in (
             (radius, radius, 0, 1, 1, STRAW_RINGS), (radius, thin, 1, 1, 0, 1),

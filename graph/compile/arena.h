@@ -48,7 +48,7 @@ struct map_slot {
 struct map {
     struct map_slot *slots;
     uint32_t mask; /* number of slots minus 1 */
-    uint32_t room; /* entries that it takes until it grows */
+    uint32_t room; /* entries that can be added before it grows */
 };
 
 /* Returns the slot of an address, or the empty slot where it would be inserted. */
@@ -61,7 +61,7 @@ static inline struct map_slot *rg_map_find(const struct map *map, const void *ad
     return &map->slots[i & map->mask];
 }
 
-/* Makes room for a number of entries. Returns false if out of memory. */
+/* Grows the map to a capacity of at least `count` entries. Returns false if out of memory. */
 bool rg_map_reserve(struct arena *arena, struct map *map, uint32_t count);
 
 /* Returns a pointer to an address's value, initially NULL. Returns NULL if out of memory. */

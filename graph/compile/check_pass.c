@@ -144,8 +144,8 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
     bool writes =
         pass->kind == RG_RASTER && (color_count || !pass->depth.image || !pass->depth_read_only);
     bool ascending = true;
-    uint64_t binding = 0;               /* above that of the last use with a descriptor */
-    const struct rg_use *before = NULL; /* that use */
+    uint64_t binding = 0;               /* least binding in ascending order */
+    const struct rg_use *before = NULL; /* the last use with a descriptor */
     const struct rg_use *use = pass->uses;
     for (; use && rg_is_use(use); use++) {
         check_use(c, pass, use);

@@ -99,7 +99,7 @@ struct resource {
 
     union {
         struct {
-            VkExtent2D extent, max_extent; /* in the view; in params->max_view */
+            VkExtent2D extent, max_extent; /* for params->view; for params->max_view */
         };
 
         struct {
@@ -443,7 +443,7 @@ static inline bool rg_is_history(const struct resource *r)
     return r->partner && r->image->previous;
 }
 
-/* Adds the resource of an image or buffer, as *value. NULL if out of memory. */
+/* Adds the resource of an image or buffer, and stores it in *value. NULL if out of memory. */
 struct resource *rg_add_resource(struct compiler *c, const struct rg_image *image,
                                  const struct rg_buffer *buffer, void **value);
 

@@ -162,7 +162,7 @@ static VkExtent2D extent_of(const struct rg_compile_params *params, const struct
     };
 }
 
-/* Sets the number of layers and mip levels; a number that is too large is reported later. */
+/* Sets the number of layers and mip levels, clamped; is_bad_image() reports greater ones. */
 static void set_counts(struct resource *r, uint32_t layers, uint32_t mips)
 {
     r->all.layer_count = (uint16_t)(layers < UINT16_MAX ? layers : UINT16_MAX);
@@ -256,7 +256,7 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
                     c->row_count * 2) ||
         !r)
         return NULL;
-    /* field by field: for an initializer of the struct, compilers inline a slower loop */
+    /* set field by field: the memory is not zeroed, and an initializer compiles to a slower loop */
     r->partner = NULL;
     r->queue_cells = NULL;
     r->all = (struct range){ 0, 1, 0, 1, VK_IMAGE_ASPECT_COLOR_BIT };

@@ -6,8 +6,8 @@ enum {
     MAX_ROUNDS = 16 /* maximum number of iterations */
 };
 
-/* Starts an iteration: marks outputs and persistent content of the next frame as needed. Nothing
- * else is needed before the first one. */
+/* Starts an iteration: marks outputs and persistent content of the next frame as needed. In
+ * the first iteration, no other content is needed yet. */
 static void begin_round(struct compiler *c, uint32_t round)
 {
     const uint32_t count = c->persistent_count ? c->resource_count : c->boundary_count;

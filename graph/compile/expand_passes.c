@@ -16,7 +16,7 @@ static uint32_t visibility_of(enum rg_access kind, VkPipelineStageFlags2 stages)
     uint32_t bit = visibility_bits[kind];
     if (!rg_is_shader_access(kind))
         return bit;
-    /* bits 3, 7 and 11 of the stages become 0, 1 and 2 */
+    /* the vertex, fragment and compute shader's bits, 3, 7 and 11, become 0, 1 and 2 */
     uint32_t shaders = (uint32_t)((stages >> 3 & 1) | (stages >> 6 & 2) | (stages >> 9 & 4));
     return bit * shaders | (stages & ~RG_ANY_SHADER ? ~RG_VISIBLE_TO_ALL : 0);
 }

@@ -340,7 +340,7 @@ static bool may_run(const struct rg_exec *exec, const struct exec_slot *slot)
     return result != VK_SUCCESS && result != VK_ERROR_DEVICE_LOST;
 }
 
-/* Returns true if the frame with this number, or an earlier one, may not have finished. */
+/* Returns true if the frame with this number, or an earlier one, may still be executed. */
 static bool is_in_flight(const struct rg_exec *exec, uint64_t frame)
 {
     for (uint32_t i = 0; i < exec->slot_count; i++) {
