@@ -51,6 +51,10 @@ const int trace_segments_max = 256; /* maximum number of segments per path */
 /* Number of segments in a pixel after which paths are no longer split. Light of pending paths would
  * be lost, because llvmpipe terminates loops after 65 535 iterations. */
 const int trace_split_segments_max = 256;
+/* Number of segments in a pixel from which Russian roulette becomes stricter, and the number of
+ * further ones that raise its minimum throughput by trace.branch. */
+const int trace_roulette_segments = 64;
+const float trace_roulette_growth = 6.4;
 const float trace_rough_min = 1e-3;
 const float trace_branch_min = 1e-3;
 const float trace_expected_lod = 6.0;
@@ -392,19 +396,29 @@ vec3 trace_expected_radiance(vec3 dir)
 /* Decides by Russian roulette whether a path of this throughput is followed. If so, divides the
  * throughput by the probability. The expected radiance is a control variate (Owen, "Monte Carlo
  * theory, methods and examples", 8.9): the pixel gets it for what is not followed, and loses it
- * for what is followed with too much weight. The mean is exact for any estimate. */
+ * for what is followed with too much weight. The mean is exact for any estimate.
+ *
+ * From trace_roulette_segments segments in the pixel on, the throughput that is followed for
+ * certain grows. Otherwise a few pixels, in which paths are trapped by total reflection, would take
+ * most of the time. This second roulette has no control variate, because its large weights would
+ * make such pixels negative. */
 bool trace_roulette(inout vec3 throughput, vec3 dir, float kind, float probability, uint salt)
 {
-    bool is_followed = trace_random(salt) < probability;
-    float weight = is_followed ? 1.0 / max(probability, 1e-30) : 0.0;
+    float number = trace_random(salt);
+    float weight = number < probability ? 1.0 / max(probability, 1e-30) : 0.0;
     if (probability < 1.0)
         trace_add((1.0 - weight) * throughput * trace_expected_radiance(dir), kind);
     throughput *= weight;
-    return is_followed;
+    float extra = float(max(segment_count - trace_roulette_segments, 0));
+    float min_throughput = trace.branch * extra / trace_roulette_growth;
+    float max_throughput = max(throughput.r, max(throughput.g, throughput.b));
+    float chance = min(max_throughput / max(min_throughput, 1e-30), 1.0);
+    throughput /= max(chance, 1e-30);
+    return number < probability * chance;
 }
 
-/* Returns true if a branch is followed as a separate path. Branches above trace.branch always are;
- * Russian roulette decides on the others. */
+/* Returns true if a branch is followed as a separate path. Branches above trace.branch always are
+ * up to trace_roulette_segments; Russian roulette decides on the others. */
 bool trace_is_split(inout vec3 throughput, vec3 dir)
 {
     float max_throughput = max(throughput.r, max(throughput.g, throughput.b));
@@ -496,16 +510,17 @@ void trace_record(trace_hit hit, trace_crossing c, float fresnel, bool is_total)
     }
 }
 
-/* Terminates a path of low throughput by Russian roulette. The main path is only terminated if it
- * carries next to nothing, because it also gives the layers, and so is a path that gives alpha. */
+/* Terminates a path of low throughput by Russian roulette. The main path of fewer than
+ * trace_roulette_segments segments is only terminated if it carries next to nothing, because it
+ * also gives the layers, and so is a path that gives alpha. */
 bool trace_survives()
 {
     float max_throughput = max(path.throughput.r, max(path.throughput.g, path.throughput.b));
     float probability = min(max_throughput / max(trace.branch, trace_branch_min), 1.0);
-    return is_main || path.shows_backdrop
-               ? max_throughput > 1e-5
-               : max_throughput > 0.0 && trace_roulette(path.throughput, path.dir, path.kind,
-                                                        probability, trace_survival_seed);
+    bool is_kept = path.shows_backdrop || (is_main && segment_count < trace_roulette_segments);
+    return is_kept ? max_throughput > 1e-5
+                   : max_throughput > 0.0 && trace_roulette(path.throughput, path.dir, path.kind,
+                                                            probability, trace_survival_seed);
 }
 
 /* Continues the path at a surface by refraction, and pushes the reflected branch as a second path.
