@@ -385,7 +385,7 @@ class Trace(Case):
             for rung in ('trace', 'reference'):
                 light = self.planes(
                     'panes.gltf', '--eye', f'{x},0,{z - 0.1}', '--target', '0,0,-0.1', '--fov', 2,
-                    '--size', '8x8', '--background', '0,0,0', '--plain', '-q', '--samples', 64,
+                    '--size', '8x8', '--background', '0,0,0', '--plain', '-q', '--samples', 16,
                     '-r', rung)['G']
                 self.assertAlmostEqual(sum(light) / len(light),
                                        (1 - r) / (1 + (2 * count - 1) * r), delta=0.005,
