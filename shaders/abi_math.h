@@ -50,7 +50,7 @@
 #define glms_vec3_scale(a, s)   ((a) * (s))
 #define glms_vec3_sub(a, b)     ((a) - (b))
 #else
-#include <cglm/struct.h>
+#include <cglm/struct/vec3.h>
 
 #define ABI_FUNCTION      static inline
 #define ABI_VEC2(x, y)    ((vec2s){ { (x), (y) } })

@@ -1,5 +1,6 @@
 /* renderer_sample.c: submits samples of an image and of the environment cube, and reads them back.
  */
+#include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
 #include "graph/rg_firn.h"

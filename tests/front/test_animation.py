@@ -11,7 +11,7 @@ from exr_file import Exr, write_exr  # noqa: E402
 from gltf_file import boxes, glass, slide, with_nodes  # noqa: E402
 
 SMALL = ('--size', '32x24', '-q')
-TRACED = ('-r', 'reference')
+TRACED = ('-r', 'reference', '--set', 'reference.photons=1000')
 STILL = ('--ground', 'none', '--set', 'motion.ice=0', '--set', 'motion.lights=0')
 
 

@@ -36,6 +36,8 @@ UNKNOWN = {
 # What only ice has by default.
 DRESSING = ('cracks', 'air', 'bubbles')
 SMALL = ('--size', '32x24', '-q')
+# With few photons, which take most of the time of a small image with a floor.
+TRACED = ('-r', 'reference', '--set', 'reference.photons=1000')
 
 
 class Scenes(Case):
@@ -415,8 +417,8 @@ class Scenes(Case):
         (self.folder / 'same.gltf').write_text(boxes((wood, [-1.5, 0, 0], 1), fifth))
 
         def draw(*words):
-            self.succeed('render', *words, *SMALL, '-r', 'reference', '--aov', 'fresnel', '-o',
-                         'a.exr', env=NO_DRIVER)
+            self.succeed('render', *words, *SMALL, *TRACED, '--aov', 'fresnel', '-o', 'a.exr',
+                         env=NO_DRIVER)
             return Exr((self.folder / 'a.exr').read_bytes()).read_planes(['fresnel.Z'])
         made = draw('wood.gltf', '--material', 'box 1=glass,ior=1.7')
         self.assertEqual(made, draw('same.gltf'))
@@ -464,7 +466,7 @@ class Scenes(Case):
         pictures = {}
         for words in ((), ('--camera', 'Front'), ('--camera', '0'), ('--camera', 'Near'),
                       ('--camera', '1'), ('--eye', '0,0,6', '--fov', cameras[0]['fov'])):
-            self.succeed('render', 'seen.gltf', *SMALL, *words, '-r', 'reference', '-o', 'a.exr',
+            self.succeed('render', 'seen.gltf', *SMALL, *words, *TRACED, '-o', 'a.exr',
                          env=NO_DRIVER)
             exr = Exr((self.folder / 'a.exr').read_bytes())
             pictures[' '.join(map(str, words))] = exr.read_planes(['G'])['G']
@@ -473,8 +475,8 @@ class Scenes(Case):
         self.assertEqual(pictures['--camera Near'], pictures['--camera 1'])
         self.assertNotEqual(pictures[''], pictures['--camera Near'])
         for size, fov in (('48x24', 45.8366), ('24x24', 45.8366), ('12x24', 80.4348)):
-            self.succeed('render', 'seen.gltf', '--size', size, '-r', 'reference', '--json',
-                         'a.json', '-o', 'a.exr', env=NO_DRIVER)
+            self.succeed('render', 'seen.gltf', '--size', size, *TRACED, '--json', 'a.json',
+                         '-o', 'a.exr', env=NO_DRIVER)
             camera = json.loads((self.folder / 'a.json').read_text())['camera']
             self.assertAlmostEqual(camera['fov'], fov, 3)
 
@@ -682,7 +684,7 @@ class Scenes(Case):
         """And --set overrides all of them."""
         pictures = []
         for more in ((), ('--set', 'refract.ior=1.5'), ('--set', 'refract.ior=2')):
-            self.succeed('render', 'two.gltf', *SMALL, *more, '-r', 'reference', '-o', 'a.exr',
+            self.succeed('render', 'two.gltf', *SMALL, *more, *TRACED, '-o', 'a.exr',
                          '--orbit', '28,9,9', '--aov', 'fresnel', env=NO_DRIVER)
             pictures.append(Exr((self.folder / 'a.exr').read_bytes()))
         own, low, high = (picture.read_planes(['fresnel.Z'])['fresnel.Z'] for picture in pictures)

@@ -49,7 +49,7 @@ class Mirror(Case):
         truth, *drawn = (
             [min(planes[name][i], 1) for name in 'RGB' for i in FLOOR] for planes in (
                 self.planes('--env', 'valley', *words)
-                for words in (('-r', 'trace', '--set', 'ground.light=traced', '--samples', 8),
+                for words in (('-r', 'trace', '--set', 'ground.light=traced', '--samples', 4),
                               *ways)))
         return [sum(abs(a - b) for a, b in zip(values, truth)) for values in drawn]
 

@@ -233,7 +233,7 @@ class Drop(WindowCase):
         model.write_text(TRIANGLES)
         broken = self.folder / 'broken.obj'
         broken.write_bytes(b'\0\1\2 no model')
-        window = self.start('sphere', plain=())
+        window = self.start('sphere')
         self.assertTrue(self.desktop.drop(window, model))
         self.find(f'{model}, paused')
         self.shoot(window, 1)

@@ -177,7 +177,7 @@ class Panels(PanelsCase):
         (self.folder / 'a.gltf').write_text(boxes((wood, [-1.5, 0, 0], 1), (wood, [1.5, 0, 0], 1)))
         window = self.start_with_panels('--eye', '0,0,9', '--target', '0,0,0', '--ground', 'none',
                                         '--set', 'tonemap.exposure=0', '--size', '300x300',
-                                        scene='a.gltf', plain=SMALL_CUBE)
+                                        scene='a.gltf', plain=(*PAPER, *SMALL_CUBE))
         wait_until('a selection', lambda: self.label('selected: box 0, wood'), self.words,
                    act=lambda: self.move(window, (110, 150)))
         self.choose(window, 'Kind', 'crystal')

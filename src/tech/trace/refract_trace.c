@@ -13,6 +13,7 @@
  * (shaders/refract/refract_environment.glsl). Bump maps and air impostors are ignored.
  */
 #include "src/tech/trace/refract_trace.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
 #include "shaders/embedded.h"
