@@ -38,9 +38,9 @@ def backdrop():
     return rows
 
 
-def lamp(rows, box):
-    """Draws a soft box with edges two texels wide into the rows. The colour of the box may be a
-    function of the direction."""
+def lamp(rows, box, soft=0.012):
+    """Draws a soft box into the rows. The colour of the box may be a function of the direction.
+    `soft` is the width of the edges, tangent of an angle; by default two texels."""
     azimuth, elevation, half_width, half_height, radiance, ends, color = box
     middle = direction(math.radians(azimuth), math.radians(elevation))
     across = unit(cross(middle, (0, 1, 0)))
@@ -61,8 +61,8 @@ def lamp(rows, box):
             u, v = dot(d, across) / ahead / half_width, dot(d, up) / ahead / half_height
             if abs(u) > 1 or abs(v) > 1:
                 continue
-            share = (smoothstep(1, 1 - 0.012 / half_width, abs(u)) *
-                     smoothstep(1, 1 - 0.012 / half_height, abs(v)))
+            share = (smoothstep(1, 1 - soft / half_width, abs(u)) *
+                     smoothstep(1, 1 - soft / half_height, abs(v)))
             light = radiance * (ends + (1 - ends) * math.exp(-1.4 * (u * u + v * v)))
             tint = color(d) if callable(color) else color
             for c in range(3):

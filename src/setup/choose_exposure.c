@@ -21,7 +21,7 @@ enum {
     LIMIT = 6 * STEPS_PER_STOP,
 };
 
-static const float darkest = 0.32f; /* range of the median luminance, sRGB-encoded */
+static const float darkest = 0.27f; /* range of the median luminance, sRGB-encoded */
 static const float brightest = 0.42f;
 static const float clipped = 254.0f / 255;   /* luminance at which highlights have lost detail */
 static const float clipped_fraction = 0.01f; /* fraction of pixels that may be clipped */

@@ -337,6 +337,20 @@ static void note_opaque(const struct setup_scene *options, const struct scene *s
     }
 }
 
+/* Lights ice on a stage by the panorama alone, without invisible lights. Of the inclusions only
+ * bubbles remain, because planes of air and cracks, which are as large as the object, hide the
+ * shape of a model at the size of a first image. */
+static void choose_stage_ice(struct setup_scene *options, const struct scene *scene)
+{
+    const bool is_ice = options->material ? is_ice_chosen(options) : has_ice(scene);
+    if (!stage_has_floor(&options->stage) || !is_ice)
+        return;
+    settings_put(&options->settings, settings_find("light.count"), 0, SETTING_SCENE);
+    switch_off(options, &cracks);
+    if (!air_is_medium(&options->settings))
+        switch_off(options, &air);
+}
+
 struct settings_callback_data {
     struct setup_scene *options;
     struct bump_maps_params *maps;
@@ -356,6 +370,7 @@ static void finish_settings_callback(void *user, const struct scene *scene,
     switch_off_ice_effects(settings_callback_data->options, scene);
     clear_thin_walls(settings_callback_data->options, scene, true);
     check_inclusions(settings_callback_data->options, scene, true);
+    choose_stage_ice(settings_callback_data->options, scene);
     *params = setup_scene_params(settings_callback_data->options, settings_callback_data->maps);
 }
 
@@ -400,6 +415,7 @@ void setup_apply_scene_settings(struct setup_scene *options, const struct scene 
     switch_off_ice_effects(options, scene);
     clear_thin_walls(options, scene, false);
     check_inclusions(options, scene, false);
+    choose_stage_ice(options, scene);
     (void)choose_ior(options, scene);
     setup_choose_stage_settings(options);
     choose_sun(options, scene);

@@ -83,6 +83,16 @@ class Ground(Case):
                 self.assertEqual(planes, bare)
         self.assertTrue(self.floor(self.draw('box.gltf', *words), 1.2, 9))
 
+    def test_ice(self):
+        """Ice on a floor has no cracks, planes of air and invisible lights, unless they are set."""
+        off = {'air.count=0', 'cracks.count=0', 'light.count=0'}
+        for words, expected in (([], off), (['--ground', 'none'], set()),
+                                (['--set', 'cracks.count=3'], off - {'cracks.count=0'})):
+            self.succeed('render', 'box.gltf', '-m', 'ice', '--size', '16x16', '--samples', 1,
+                         *words, '-o', 'a.exr')
+            text = Exr((self.folder / 'a.exr').read_bytes()).text('firn/settings')
+            self.assertEqual(off & set(text.split()), expected, words)
+
     @unsanitized
     def test_contact(self):
         """The floor is dark where a box of dark glass stands, whatever draws it. The faces of a

@@ -3,7 +3,8 @@
 #include <math.h>
 #include "src/scene/generate/generate.h"
 
-/* Radii of the floor, in radii of the object. The colour fades between the first two. */
+/* Radii of the floor, in radii of the object. The colour fades between the first two. Rings grow
+ * evenly up to the edge, because colours of long triangles are interpolated in visible steps. */
 #define FADE_START 1.5f
 #define FADE_END   8.0f
 #define EDGE       300.0f
@@ -11,7 +12,8 @@
 enum {
     SIDES = GENERATE_STAGE_SIDES,
     RINGS = GENERATE_STAGE_RINGS,
-    FADE_RINGS = RINGS - 2, /* between the centre and the outermost ring */
+    FAR_RINGS = 8,                      /* from FADE_END to EDGE */
+    FADE_RINGS = RINGS - 1 - FAR_RINGS, /* from FADE_START to FADE_END */
 };
 
 /* Returns the inner radius of a ring. */
@@ -19,8 +21,9 @@ static float inner_radius(uint32_t ring)
 {
     if (ring == 0)
         return 0.0f;
-    const float t = (float)(ring - 1) / FADE_RINGS;
-    return ring == RINGS ? EDGE : FADE_START * powf(FADE_END / FADE_START, t);
+    const float t = (float)(ring - 1);
+    return t < FADE_RINGS ? FADE_START * powf(FADE_END / FADE_START, t / FADE_RINGS)
+                          : FADE_END * powf(EDGE / FADE_END, (t - FADE_RINGS) / FAR_RINGS);
 }
 
 /* Returns the fraction of the horizon's colour at a radius. */
