@@ -60,6 +60,8 @@ static enum status begin_sample(struct renderer *r, const struct renderer_shot *
     enum status status = renderer_set_view(r, whole);
     if (status == STATUS_OK)
         status = renderer_capture_cube(r, shot);
+    if (status == STATUS_OK && !sample)
+        status = gpu_status(rg_exec_abandon(r->image.exec)); /* the view may be another one */
     r->skips_readback = false;
     if (status == STATUS_OK)
         status = renderer_begin_frame(r, &r->image, shot, sample, &r->partial, &r->last_slot);

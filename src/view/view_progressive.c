@@ -10,7 +10,7 @@
 
 static const double rest_seconds = 0.12; /* rest before sampling starts, seconds */
 static const double show_seconds = 0.25; /* interval between displayed means, seconds */
-static const double part_seconds = 0.02; /* duration of a part of a sample, seconds */
+static const double part_seconds = 0.015; /* duration of a part of a sample, seconds */
 static const double soon_seconds = 0.15; /* seconds per sample above which a draft is shown first */
 static const double draft_share = 1.0 / 3.0; /* greatest time of that draft, relative to a sample */
 
