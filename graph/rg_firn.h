@@ -42,7 +42,7 @@ void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region *regio
 
 /*
  * Submits the next part of the frame begun last, and waits for it. A part is a group of passes, or
- * a band of rows of one raster pass, that will take about `seconds` by the times of earlier parts;
+ * a rectangle of one raster pass, that will take about `seconds` by the times of earlier parts;
  * a compute pass or a copy is never divided. Returns VK_NOT_READY until the last part, and then
  * VK_SUCCESS. Between the parts of a frame, which have equal `frame`, the host may use other
  * executors, but of this one only rg_exec_submit_part(), rg_exec_abandon() and rg_exec_destroy().
@@ -52,8 +52,8 @@ void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region *regio
 VkResult rg_exec_submit_part(struct rg_exec *exec, const struct rg_frame *frame, double seconds);
 
 /* Ends a frame of which only some parts have been submitted, without the other passes' commands.
- * Resources that these passes write have undefined content, persistent ones too. Does nothing if
- * there is no such frame. */
+ * Resources that these passes write have undefined content, persistent ones too. Also called
+ * before a frame of another view, because it forgets which rows of a pass take long. */
 VkResult rg_exec_abandon(struct rg_exec *exec);
 
 #endif

@@ -90,22 +90,24 @@ struct exec_transition {
     VkImageLayout from;
 };
 
-/* Part of a frame: whole passes, or a band of rows of one pass. */
+/* Part of a frame: whole passes, or a rectangle of one pass. */
 struct exec_part {
-    uint32_t first, count; /* passes */
-    uint32_t row, row_end; /* rows, if `count` is 1; row_end 0: all */
-    bool begins, ends;     /* contains the first, the last row of its passes */
-    bool is_empty;         /* records barriers only */
+    uint32_t first, count;   /* passes */
+    uint32_t row, row_end;   /* rows, if `count` is 1; row_end 0: all */
+    uint32_t left, left_end; /* columns, if row_end */
+    double spent;            /* seconds of the columns of these rows that were drawn before */
+    bool ends_rows;          /* contains the last column */
+    bool begins, ends;       /* contains the first, the last pixel of its passes */
+    bool is_empty;           /* records barriers only */
 };
 
 /* Time that a pass took on the device (partial_submission.c). 0 means unknown. */
 struct exec_pass_cost {
     float pass;                /* seconds; of passes that are not divided */
+    float fixed;               /* seconds of a rectangle of a few pixels */
+    float highest;             /* seconds of a row, at most */
     float rows[RG_ZONE_COUNT]; /* seconds per row in equal parts of the target's height */
-    float sum, last_sum;       /* seconds of all bands, and with the height tried before */
-    uint32_t frames;           /* frames in bands */
-    uint32_t doublings;        /* of the height of bands */
-    bool has_height;           /* no other height is tried */
+    uint32_t trials;           /* rectangles of a few pixels that were drawn */
 };
 
 /* Barriers recorded in one call: those of a pass that runs and of the skipped passes before it. */

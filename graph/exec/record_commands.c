@@ -179,14 +179,16 @@ VkRect2D rg_exec_pass_area(struct rg_exec *exec, uint32_t index, const struct rg
     return is_drawn(&cmd, frame) ? cmd.area : (VkRect2D){ 0 };
 }
 
-/* Limits the render area to the rows of a part. Returns false if none is left. */
-static bool limit_rows(struct rg_cmd *cmd, const struct exec_part *part)
+/* Limits the render area to the rectangle of a part. Returns false if nothing is left. */
+static bool limit_area(struct rg_cmd *cmd, const struct exec_part *part)
 {
-    const VkRect2D band = { { cmd->area.offset.x, (int32_t)part->row },
-                            { cmd->area.extent.width, part->row_end - part->row } };
+    const VkRect2D rectangle = {
+        { (int32_t)part->left, (int32_t)part->row },
+        { part->left_end - part->left, part->row_end - part->row },
+    };
     if (part->row_end)
-        cmd->area = rg_exec_intersect(band, cmd->area);
-    return cmd->area.extent.height;
+        cmd->area = rg_exec_intersect(rectangle, cmd->area);
+    return cmd->area.extent.width && cmd->area.extent.height;
 }
 
 static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer commands,
@@ -205,7 +207,7 @@ static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer co
         rg_exec_add_batch(exec, commands, cmd.plan_pass->first_barrier,
                           cmd.plan_pass->barrier_count);
     }
-    const bool drawn = !part->is_empty && is_drawn(&cmd, frame) && limit_rows(&cmd, part);
+    const bool drawn = !part->is_empty && is_drawn(&cmd, frame) && limit_area(&cmd, part);
     if (drawn) {
         rg_exec_record_batch(exec, commands);
         record_work(&cmd, frame);

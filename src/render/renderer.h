@@ -84,17 +84,22 @@ MUST_USE enum status renderer_finish_display(struct renderer *renderer,
  * waits for one of them. The renderer must have been created with params.keep. */
 MUST_USE enum status renderer_draw(struct renderer *renderer, const struct renderer_shot *shot);
 
+enum {
+    RENDERER_RESOLVE_STEPS = 4, /* mean, both halves of the filter, and tone curve */
+};
+
 /*
  * Progressive rendering, for renderers with params.refines (renderer_set_view() also with
  * `scales`).
  *
  * renderer_set_view() makes the next images smaller, at most as large as in params; it creates no
  * memory and no pipelines, but renderer_display_image() returns another image. renderer_refine()
- * draws the next part of a full-size sample, of about `seconds`, and waits for it. The last part
- * adds the sample to the sums and sets *is_done; sample 0 restarts them. Between the parts, which
- * need equal arguments, only renderer_resolve() and functions that read are allowed, or
- * renderer_abandon(), which drops the sample, as do functions that draw something else.
- * renderer_resolve() tone-maps the mean of the samples with the current settings into
+ * draws the next part of a full-size sample, of about `seconds`, and waits for it. Two calls after
+ * the last part add the sample to the sums, and the second sets *is_done; HUGE_VAL seconds do all
+ * in one call. Sample 0 restarts the sums. Between the parts, which need equal arguments, only
+ * renderer_resolve() and functions that read are allowed, or renderer_abandon(), which drops the
+ * sample, as do functions that draw something else. RENDERER_RESOLVE_STEPS calls of
+ * renderer_resolve() tone-map the mean of the samples with the current settings into
  * renderer_mean(): the pixels are those of renderer_render() with that many samples. The exposure
  * must be that of sample 0, on which the weights depend (weighted_mean.h).
  */
@@ -102,7 +107,8 @@ MUST_USE enum status renderer_set_view(struct renderer *renderer, VkExtent2D vie
 MUST_USE enum status renderer_refine(struct renderer *renderer, const struct renderer_shot *shot,
                                      uint32_t sample, double seconds, bool *is_done);
 MUST_USE enum status renderer_abandon(struct renderer *renderer);
-MUST_USE enum status renderer_resolve(struct renderer *renderer, uint32_t sample_count);
+MUST_USE enum status renderer_resolve(struct renderer *renderer, uint32_t sample_count,
+                                      uint32_t step);
 VkImage renderer_mean(const struct renderer *renderer);
 /* Returns the sample sums, or an empty image before the first sample. */
 const struct image *renderer_sums(const struct renderer *renderer);

@@ -40,6 +40,14 @@ struct renderer {
     uint32_t last_slot; /* `image` slot of the last sample */
     bool is_partial;    /* `partial` is submitted in part by renderer_refine() */
     struct renderer_frame partial;
+
+    enum {
+        SAMPLE_NONE,
+        SAMPLE_DRAWN,    /* by renderer_refine(), but in none of the sums */
+        SAMPLE_WEIGHTED, /* in `display_sums` only */
+        SAMPLE_ADDED,    /* to both sums, by renderer_abandon() */
+    } sample;
+
     uint32_t sum_count;        /* number of samples in `sums` */
     struct image sums;         /* sums of the samples of renderer_refine() */
     struct image display_sums; /* their weighted sums; without planes if not weighted */
@@ -100,6 +108,9 @@ void renderer_denoise_accumulate(struct renderer *renderer, const struct tile *t
 void renderer_denoise_rescale(struct renderer *renderer, const struct adaptive *adaptive);
 /* Denoises the lighting and adds it to the result's means. */
 MUST_USE enum status renderer_denoise_end(struct renderer *renderer, struct render_result *result);
+
+/* Adds the sample that renderer_refine() has drawn to the next one of the two sums. */
+void renderer_add_sample(struct renderer *renderer);
 
 /* Draws all samples if params.is_adaptive. Scales the sums to ADAPTIVE_SAMPLES samples. */
 MUST_USE enum status renderer_draw_adaptive(struct renderer *renderer,

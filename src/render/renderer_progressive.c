@@ -1,4 +1,5 @@
 /* renderer_progressive.c: accumulates full-size samples and tone-maps their mean. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "graph/rg_firn.h"
@@ -41,15 +42,6 @@ static bool clear_sums(struct renderer *r)
            (!renderer_is_weighted(&r->params) || weighted_mean_add_planes(&r->display_sums));
 }
 
-static void add_sample(struct renderer *r, uint32_t sample)
-{
-    const struct tile all = { .width = r->params.width, .height = r->params.height };
-    const void *texels = renderer_read_back(&r->image, frame_beauty.image, r->last_slot);
-    accumulate_sample(&r->sums, &all, &frame_beauty, texels, sample);
-    if (r->display_sums.planes)
-        weighted_mean_add(&r->display_sums, &all, texels, weighted_mean_scale(r->params.settings));
-}
-
 /* Begins a sample of the full size. */
 static enum status begin_sample(struct renderer *r, const struct renderer_shot *shot,
                                 uint32_t sample)
@@ -60,6 +52,8 @@ static enum status begin_sample(struct renderer *r, const struct renderer_shot *
     enum status status = renderer_set_view(r, whole);
     if (status == STATUS_OK)
         status = renderer_capture_cube(r, shot);
+    if (status == STATUS_OK && !sample)
+        status = gpu_status(rg_exec_abandon(r->image.exec)); /* the view may be another one */
     r->skips_readback = false;
     if (status == STATUS_OK)
         status = renderer_begin_frame(r, &r->image, shot, sample, &r->partial, &r->last_slot);
@@ -67,10 +61,10 @@ static enum status begin_sample(struct renderer *r, const struct renderer_shot *
     return status;
 }
 
-enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot, uint32_t sample,
-                            double seconds, bool *is_done)
+/* Draws the next part of a sample. After the last one, r->is_partial is false. */
+static enum status draw_part(struct renderer *r, const struct renderer_shot *shot, uint32_t sample,
+                             double seconds)
 {
-    *is_done = false;
     enum status status = r->is_partial ? STATUS_OK : begin_sample(r, shot, sample);
     if (status != STATUS_OK)
         return status;
@@ -82,9 +76,28 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     if (status != STATUS_OK)
         return status;
     renderer_mark_drawn(r, &r->partial);
-    add_sample(r, sample);
-    r->sum_count = sample + 1;
-    *is_done = true;
+    r->sample = SAMPLE_DRAWN;
+    return STATUS_OK;
+}
+
+enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot, uint32_t sample,
+                            double seconds, bool *is_done)
+{
+    const bool is_added = r->sample == SAMPLE_ADDED && sample;
+    enum status status = STATUS_OK;
+    r->sample = r->sample == SAMPLE_ADDED ? SAMPLE_NONE : r->sample;
+    *is_done = is_added;
+    if (is_added)
+        return STATUS_OK;
+    if (r->sample == SAMPLE_NONE) {
+        status = draw_part(r, shot, sample, seconds);
+        if (status != STATUS_OK || r->is_partial || seconds < HUGE_VAL)
+            return status;
+    }
+    do
+        renderer_add_sample(r);
+    while (r->sample != SAMPLE_NONE && seconds >= HUGE_VAL);
+    *is_done = r->sample == SAMPLE_NONE;
     return STATUS_OK;
 }
 
@@ -94,10 +107,15 @@ void renderer_display_pixel(const struct renderer *r, size_t i, float rgba[stati
         rgba[p] = r->shown.planes ? r->shown.planes[p].texels[i] : 0.0f;
 }
 
-/* Computes the mean of the samples for display. Keeps the sums. */
+static bool is_shown_weighted(const struct renderer *r, uint32_t sample_count)
+{
+    return r->display_sums.planes && sample_count > 1;
+}
+
+/* Computes the unfiltered mean of the samples for display. Keeps the sums. */
 static enum status find_shown(struct renderer *r, uint32_t sample_count)
 {
-    const bool is_weighted = r->display_sums.planes && sample_count > 1;
+    const bool is_weighted = is_shown_weighted(r, sample_count);
     const float scale = weighted_mean_scale(r->params.settings);
     const struct image *like = r->display_sums.planes ? &r->display_sums : &r->sums;
     const bool exists = r->shown.planes || image_init_like(&r->shown, like, like->height);
@@ -111,19 +129,15 @@ static enum status find_shown(struct renderer *r, uint32_t sample_count)
         for (size_t p = 0; p < 4 && !is_weighted; p++)
             r->shown.planes[p].texels[i] = r->sums.planes[p].texels[i] / (float)sample_count;
     }
-    return !is_weighted || !weighted_mean_is_filtered(r->params.settings) ||
-                   weighted_mean_filter(&r->shown, scale)
-               ? STATUS_OK
-               : log_out_of_memory(NULL);
+    return STATUS_OK;
 }
 
-enum status renderer_resolve(struct renderer *r, uint32_t sample_count)
+/* Tone-maps the filtered mean on the device. */
+static enum status submit_shown(struct renderer *r)
 {
     uint32_t slot;
     const struct rg_frame frame = { .settings = r->params.settings };
-    enum status status = find_shown(r, sample_count);
-    if (status == STATUS_OK)
-        status = gpu_status(rg_exec_begin(r->resolve.exec, &slot));
+    const enum status status = gpu_status(rg_exec_begin(r->resolve.exec, &slot));
     if (status != STATUS_OK)
         return status;
     uint16_t *texels = rg_exec_mapped(r->resolve.exec, &frame_samples, slot);
@@ -132,6 +146,21 @@ enum status renderer_resolve(struct renderer *r, uint32_t sample_count)
             texels[i * 4 + p] = half_from_float(r->shown.planes[p].texels[i]);
     }
     return gpu_status(rg_exec_submit(r->resolve.exec, &frame));
+}
+
+enum status renderer_resolve(struct renderer *r, uint32_t sample_count, uint32_t step)
+{
+    const struct settings *settings = r->params.settings;
+    const float scale = weighted_mean_scale(settings);
+    if (step == 0)
+        return find_shown(r, sample_count);
+    if (step == RENDERER_RESOLVE_STEPS - 1)
+        return submit_shown(r);
+    if (!is_shown_weighted(r, sample_count) || !weighted_mean_is_filtered(settings))
+        return STATUS_OK;
+    return (step == 1 ? weighted_mean_reconstruct : weighted_mean_denoise)(&r->shown, scale)
+               ? STATUS_OK
+               : log_out_of_memory(NULL);
 }
 
 const struct image *renderer_sums(const struct renderer *r)

@@ -148,8 +148,27 @@ void renderer_mark_drawn(struct renderer *r, const struct renderer_frame *f)
     frame_cube_mark_drawn(&r->cube, &f->view, &f->globals, f->graph.due);
 }
 
+void renderer_add_sample(struct renderer *r)
+{
+    const struct tile all = { .width = r->params.width, .height = r->params.height };
+    const void *texels = renderer_read_back(&r->image, frame_beauty.image, r->last_slot);
+    if (r->sample == SAMPLE_DRAWN && r->display_sums.planes)
+        weighted_mean_add(&r->display_sums, &all, texels, weighted_mean_scale(r->params.settings));
+    if (r->sample == SAMPLE_WEIGHTED) {
+        accumulate_sample(&r->sums, &all, &frame_beauty, texels, r->partial.view.sample);
+        r->sum_count = r->partial.view.sample + 1;
+    }
+    r->sample = r->sample == SAMPLE_DRAWN ? SAMPLE_WEIGHTED : SAMPLE_NONE;
+}
+
 enum status renderer_abandon(struct renderer *r)
 {
+    if (r->sample == SAMPLE_WEIGHTED) {
+        renderer_add_sample(r);
+        r->sample = SAMPLE_ADDED;
+    } else if (r->sample == SAMPLE_DRAWN) {
+        r->sample = SAMPLE_NONE;
+    }
     if (!r->is_partial)
         return STATUS_OK;
     r->is_partial = false;

@@ -268,9 +268,10 @@ static void smooth_row(struct image *mean, const struct rows *rows, uint32_t y)
         write_row(mean, y, rows->averaged);
 }
 
-/* Denoises an image. Returns false when out of memory. */
-static bool smooth(struct image *mean, float scale)
+bool weighted_mean_denoise(struct image *mean, float scale)
 {
+    if (!image_find(mean, plane_name(VARIANCE)))
+        return true;
     const size_t width = mean->width;
     struct pixel *pixels = calloc(4 * width + 1, sizeof(*pixels));
     struct noisy *noisy = calloc(3 * width + 1, sizeof(*noisy));
@@ -292,7 +293,7 @@ static bool smooth(struct image *mean, float scale)
     return has_memory;
 }
 
-static bool reconstruct(struct image *mean, float scale)
+bool weighted_mean_reconstruct(struct image *mean, float scale)
 {
     const uint32_t width = mean->width, height = mean->height;
     struct pixel *rows = calloc(4 * (size_t)width, sizeof(*rows)); /* three rows and their sums */
@@ -316,6 +317,5 @@ static bool reconstruct(struct image *mean, float scale)
 
 bool weighted_mean_filter(struct image *mean, float scale)
 {
-    return reconstruct(mean, scale) &&
-           (!image_find(mean, plane_name(VARIANCE)) || smooth(mean, scale));
+    return weighted_mean_reconstruct(mean, scale) && weighted_mean_denoise(mean, scale);
 }

@@ -67,5 +67,7 @@ void weighted_mean_divide(struct image *sums, uint32_t samples, float scale);
  * false when out of memory.
  */
 MUST_USE bool weighted_mean_filter(struct image *mean, float scale);
+MUST_USE bool weighted_mean_reconstruct(struct image *mean, float scale); /* the first half */
+MUST_USE bool weighted_mean_denoise(struct image *mean, float scale);     /* the second half */
 
 #endif

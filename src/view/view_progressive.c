@@ -8,9 +8,9 @@
 #include "src/view/view_internal.h"
 #include "src/view/window/worker_thread.h"
 
-static const double rest_seconds = 0.12; /* rest before sampling starts, seconds */
-static const double show_seconds = 0.25; /* interval between displayed means, seconds */
-static const double part_seconds = 0.02; /* duration of a part of a sample, seconds */
+static const double rest_seconds = 0.12;  /* rest before sampling starts, seconds */
+static const double show_seconds = 0.25;  /* interval between displayed means, seconds */
+static const double part_seconds = 0.015; /* duration of a part of a sample, seconds */
 static const double soon_seconds = 0.15; /* seconds per sample above which a draft is shown first */
 static const double draft_share = 1.0 / 3.0; /* greatest time of that draft, relative to a sample */
 
@@ -70,6 +70,8 @@ static bool has_current_samples(const struct view *v)
 double view_progressive_wait(const struct view *v)
 {
     const struct view_progressive *r = &v->progressive;
+    if (refines(v) && r->has_identity && r->is_resolving)
+        return 0.0;
     if (!refines(v) || !r->has_identity || r->count >= r->target_count || r->is_stopped)
         return -1.0;
     const double left = r->moved_at + rest_seconds - clock_seconds();
@@ -111,18 +113,34 @@ static bool is_to_be_shown(const struct view_progressive *r)
                                    : clock_seconds() > r->shown_at + show_seconds;
 }
 
-static enum status resolve(struct view *v)
+/* Does the next step towards showing the mean of the samples. */
+static enum status resolve_step(struct view *v)
 {
     struct view_progressive *r = &v->progressive;
-    /* frames in flight may still read the image that is overwritten here */
-    enum status status = presenter_wait(&v->presenter);
+    const uint32_t step = r->resolve_step++;
+    const bool is_last = r->resolve_step == RENDERER_RESOLVE_STEPS;
+    /* frames in flight may still read the image that the last step overwrites */
+    enum status status = is_last ? presenter_wait(&v->presenter) : STATUS_OK;
     if (status == STATUS_OK)
-        status = viewport_resolve(v->viewport, r->count);
+        status = viewport_resolve(v->viewport, r->count, step);
+    r->is_resolving = !is_last && status == STATUS_OK;
+    if (!is_last)
+        return status;
     r->identity.settings = v->viewport->state.scene.settings;
     r->shown_count = r->count;
     v->inspector.sample_count = 0; /* invalidates the inspector's image */
     r->shown_at = clock_seconds();
     v->changed = true; /* display the new mean */
+    return status;
+}
+
+static enum status resolve(struct view *v)
+{
+    enum status status;
+    v->progressive.resolve_step = 0;
+    do
+        status = resolve_step(v);
+    while (v->progressive.is_resolving);
     return status;
 }
 
@@ -244,8 +262,8 @@ static enum status draw_part(struct view *v)
     if (is_done) {
         r->count++;
         r->sample_seconds = clock_seconds() - r->sample_begun_at;
-        if (status == STATUS_OK && is_to_be_shown(r))
-            status = resolve(v);
+        r->is_resolving = is_to_be_shown(r);
+        r->resolve_step = 0;
     }
     view_frame_stats_exclude(&v->frame_stats, start);
     return status;
@@ -258,6 +276,10 @@ enum status view_progressive_step(struct view *v, bool *drew)
     *drew = false;
     if (!refines(v) || !has_current_samples(v) || (wait > 0.0))
         return STATUS_OK;
+    if (v->progressive.is_resolving) {
+        *drew = v->progressive.drew_part = true;
+        return resolve_step(v);
+    }
     const bool prepares = !v->progressive.is_partial && !v->progressive.is_stopped;
     const enum status status = prepares ? prepare(v, drew) : STATUS_OK;
     if (status != STATUS_OK || *drew || !is_due)
@@ -287,7 +309,7 @@ enum status view_progressive_draw(struct view *v, const struct renderer_shot *sh
     r->identity = now;
     r->has_identity = true;
     r->count = r->shown_count = 0;
-    r->has_full_draft = r->is_partial = r->is_stopped = false;
+    r->has_full_draft = r->is_partial = r->is_resolving = r->is_stopped = false;
     r->moved_at = first ? 0.0 : clock_seconds();
     v->redrawn = true;
     return status;

@@ -30,7 +30,9 @@ struct view_progressive {
     double sample_begun_at;       /* start of the sample that is drawn, seconds */
     double sample_seconds;        /* last duration, seconds; 0 if none */
     bool is_stopped;              /* by the user, until the view changes */
-    bool is_partial;              /* a sample is drawn in part */
+    bool is_partial;              /* a sample is drawn or added in part */
+    bool is_resolving;            /* the mean of the samples is about to be shown */
+    uint32_t resolve_step;        /* next step of that */
     bool drew_part;               /* a part was drawn since input was last polled */
     double moved_at;              /* last interaction, seconds */
     double shown_at;              /* last displayed mean, seconds */

@@ -363,11 +363,13 @@ enum status viewport_abandon(struct viewport *p)
     return status;
 }
 
-enum status viewport_resolve(struct viewport *p, uint32_t sample_count)
+enum status viewport_resolve(struct viewport *p, uint32_t sample_count, uint32_t step)
 {
-    enum status status = renderer_resolve(p->renderer, sample_count);
+    enum status status = renderer_resolve(p->renderer, sample_count, step);
     if (status == STATUS_OK && p->right_renderer)
-        status = renderer_resolve(p->right_renderer, sample_count);
+        status = renderer_resolve(p->right_renderer, sample_count, step);
+    if (status != STATUS_OK || step + 1 < RENDERER_RESOLVE_STEPS)
+        return status;
     p->shows_mean = true;
     p->shows_draft = false;
     p->extent = (VkExtent2D){ p->state.width, p->state.height };

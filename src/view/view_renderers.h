@@ -132,7 +132,8 @@ MUST_USE enum status viewport_create_draft(struct viewport *p, const struct rend
 MUST_USE enum status viewport_refine(struct viewport *p, const struct renderer_shot *shot,
                                      uint32_t sample, double seconds, bool *is_done);
 MUST_USE enum status viewport_abandon(struct viewport *p); /* drops the sample of both sides */
-MUST_USE enum status viewport_resolve(struct viewport *p, uint32_t sample_count); /* both sides */
+/* Does a step of renderer_resolve() for both sides. */
+MUST_USE enum status viewport_resolve(struct viewport *p, uint32_t sample_count, uint32_t step);
 
 /* Returns the renderer of the left or right image. Without a split, the right one is NULL. */
 const struct renderer *viewport_renderer(const struct viewport *p, bool right);

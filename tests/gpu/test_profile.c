@@ -248,6 +248,13 @@ static void samples_in_parts_are_those_drawn_at_once(void **state)
     }
     assert_true(refine(renderer, &shot, 0.0) > 40);
     assert_memory_equal(renderer_sums(renderer)->planes[0].texels, whole, sizeof(whole));
+    assert_int_equal(renderer_refine(renderer, &shot, 0, HUGE_VAL, &is_done), STATUS_OK);
+    while (renderer->sample != SAMPLE_WEIGHTED)
+        assert_int_equal(renderer_refine(renderer, &shot, 1, 0.0, &is_done), STATUS_OK);
+    assert_int_equal(renderer_abandon(renderer), STATUS_OK); /* of a sample in one of the sums */
+    assert_int_equal(renderer_refine(renderer, &shot, 1, 0.0, &is_done), STATUS_OK);
+    assert_true(is_done);
+    assert_memory_equal(renderer_sums(renderer)->planes[0].texels, whole, sizeof(whole));
     renderer_destroy(renderer);
     scene_finish(&scene);
 }

@@ -206,7 +206,8 @@ static void follow_errors(struct view *v)
     struct view_compare *c = &v->compare;
     struct flip_error_map_image sides[2];
     take_errors(v);
-    if (!c->wants_error_map || c->flip_map.runs || !is_at_rest(v) || !is_due(v) ||
+    if (!c->wants_error_map || c->flip_map.runs || v->progressive.is_partial || !is_at_rest(v) ||
+        !is_due(v) ||
         (c->has_error_image &&
          !c->error_image.is_current)) /* wait until the previous map was shown */
         return;
