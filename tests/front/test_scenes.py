@@ -90,7 +90,7 @@ class Scenes(Case):
         self.check_dressed(False, 'sphere', '--material', 'glass')
         self.check_dressed(False, 'sphere', '--plain')
         self.check_dressed(False, 'one.gltf')
-        self.check_dressed(True, 'one.gltf', '--material', 'ice')
+        self.check_dressed(True, 'one.gltf', '--material', 'ice', '--ground', 'none')
         self.check_dressed(False, 'two.gltf')
 
     def test_what_is_asked_for_is_there(self):

@@ -464,7 +464,7 @@ class Panels(PanelsCase):
     def test_reset_returns_to_the_metered_exposure(self):
         (self.folder / 'a.obj').write_text('v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n'
                                            'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n')
-        window = self.start_with_panels('--quiet', scene='a.obj', plain=PAPER)
+        window = self.start_with_panels('--quiet', '--ground', '1,1,1', scene='a.obj', plain=PAPER)
         said = re.search(r'exposure=(\S+) ', self.command(window))
         self.assertNotEqual(float(said[1]), 0)
         self.wait_for_command(window, f'exposure={float(said[1]) + 0.5:.4g} ',

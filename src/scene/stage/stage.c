@@ -167,7 +167,7 @@ struct look {
 
 static const struct look looks[STAGE_GROUND_COUNT] = {
     [STAGE_SHADOW] = { { { 1.0f, 1.0f, 1.0f } }, 1.0f, 0.0f, 0.0f, 1.0f, false },
-    [STAGE_STUDIO] = { { { 0.014f, 0.019f, 0.026f } }, 0.15f, 1.0f, 0.0f, 1.0f, false },
+    [STAGE_STUDIO] = { { { 0.014f, 0.019f, 0.026f } }, 0.22f, 1.0f, 0.0f, 1.0f, false },
     [STAGE_SLATE] = { { { 1.0f, 1.0f, 1.0f } }, 0.42f, 1.0f, 1.0f, 0.25f, true },
     [STAGE_WOOD] = { { { 1.0f, 1.0f, 1.0f } }, 0.42f, 1.0f, 1.0f, 0.25f, true },
     [STAGE_COLOR] = { { { 1.0f, 1.0f, 1.0f } }, 1.0f, 0.0f, 0.0f, 1.0f, false },

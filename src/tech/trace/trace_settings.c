@@ -33,8 +33,9 @@ static const struct setting rows[] = {
         .max = 1,
         .has_auto = true,
         .help = "path throughput below which Russian roulette decides whether a reflection is "
-                "followed; smaller values are slower and less noisy (auto: 0.01 if all objects are "
-                "clear and rays hit the surroundings, else 0.1)",
+                "followed, higher in pixels of more than 64 path segments; smaller values are "
+                "slower and less noisy (auto: 0.01 if all objects are clear and rays hit the "
+                "surroundings, else 0.1)",
     },
     {
         .name = "trace.surroundings",
