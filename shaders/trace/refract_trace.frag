@@ -417,8 +417,8 @@ bool trace_roulette(inout vec3 throughput, vec3 dir, float kind, float probabili
     return number < probability * chance;
 }
 
-/* Returns true if a branch is followed as a separate path. Branches above trace.branch always are
- * up to trace_roulette_segments; Russian roulette decides on the others. */
+/* Returns true if a branch is followed as a separate path. Russian roulette decides on branches
+ * below trace.branch, and in pixels of more than trace_roulette_segments segments on all. */
 bool trace_is_split(inout vec3 throughput, vec3 dir)
 {
     float max_throughput = max(throughput.r, max(throughput.g, throughput.b));
@@ -510,9 +510,9 @@ void trace_record(trace_hit hit, trace_crossing c, float fresnel, bool is_total)
     }
 }
 
-/* Terminates a path of low throughput by Russian roulette. The main path of fewer than
- * trace_roulette_segments segments is only terminated if it carries next to nothing, because it
- * also gives the layers, and so is a path that gives alpha. */
+/* Terminates a path of low throughput by Russian roulette. The main path also gives the layers, so
+ * it is only terminated if it carries next to nothing, until the pixel has trace_roulette_segments
+ * segments. A path that gives alpha is always treated like that. */
 bool trace_survives()
 {
     float max_throughput = max(path.throughput.r, max(path.throughput.g, path.throughput.b));

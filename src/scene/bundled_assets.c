@@ -69,7 +69,7 @@ const struct asset assets[] = {
         .name = "stage",
         .file = "stage.exr",
         .kind = ASSET_ENVIRONMENT,
-        .help = "grey studio with soft boxes, around the floor of --ground",
+        .help = "pool of light on dark, soft boxes, around the floor of --ground",
     },
     {
         .name = "window",
