@@ -34,9 +34,11 @@ layout(location = 3) out vec4 landing_reflected;
 layout(location = 4) out vec4 landing_later;
 
 const int ground_steps = 24;
-const int ground_halvings = 12;
-const float ground_first = 0.02; /* first step, in bounding radii */
-const float ground_last = 64.0;  /* maximum ray length, in bounding radii */
+const int ground_secants = 3;         /* refinements by the secant method */
+const int ground_refinements = 12;    /* refinements at most */
+const float ground_precision = 0.002; /* of landing points, in bounding radii */
+const float ground_first = 0.02;      /* first step, in bounding radii */
+const float ground_last = 64.0;       /* maximum ray length, in bounding radii */
 
 /* Returns two random numbers from 0 to 1 for a texel (pcg2d, Jarzynski and Olano 2020). */
 vec2 random(uvec2 v)
@@ -77,40 +79,53 @@ float length_to_map_edge(vec4 clip, vec4 dir_clip)
     return limit;
 }
 
-bool is_below(vec4 clip)
+/* Returns the difference of depth between a position and the ground behind it: positive in front of
+ * the ground and where there is none. */
+float ground_gap(vec4 clip)
 {
     float depth = refract_depth_at_uv(ground, ice_light_uv(clip));
-    return depth > 0.0 && clip.z / clip.w <= depth;
+    return depth > 0.0 ? clip.z / clip.w - depth : 1.0;
 }
 
 bool march_is_in_ground(vec3 point)
 {
-    return is_below(ice_light_clip(point));
+    return ground_gap(ice_light_clip(point)) <= 0.0;
 }
 
-/* Intersects a ray with the ground's depth map by growing steps, then bisection. xy are map
- * coordinates, and z is 1 for a hit, otherwise 0. The map counts as solid: a ray that passes behind
- * a surface hits that surface. */
+/* Intersects a ray with the ground's depth map by growing steps, then by the secant method, which
+ * is exact on a plane, and bisection. xy are map coordinates, and z is 1 for a hit, otherwise 0.
+ * The map counts as solid: a ray that passes behind a surface hits that surface. */
 vec3 land(vec3 point, vec3 dir)
 {
     vec4 clip = ice_light_clip(point);
     vec4 dir_clip = light.clip_from_world * vec4(dir, 0.0);
     float first = ground_first * frame.radius;
-    float growth = max(length_to_map_edge(clip, dir_clip), first) / first;
-    float above = 0.0;
-    float below = 0.0;
-    bool found = is_below(clip);
-    for (int i = 0; i <= ground_steps && !found; i++) {
+    float exact = ground_precision * frame.radius;
+    float reach = max(length_to_map_edge(clip, dir_clip), first);
+    float growth = pow(reach / first, 1.0 / float(ground_steps));
+    float next = first;
+    float above = 0.0, below = 0.0;
+    float gap_above = 0.0, gap_below = ground_gap(clip);
+    for (int i = 0; i <= ground_steps && gap_below > 0.0; i++) {
         above = below;
-        below = first * pow(growth, float(i) / float(ground_steps));
-        found = is_below(clip + below * dir_clip);
+        gap_above = gap_below;
+        below = next;
+        gap_below = ground_gap(clip + below * dir_clip);
+        next *= growth;
     }
-    for (int i = 0; i < ground_halvings; i++) {
-        float t = 0.5 * (above + below);
-        if (is_below(clip + t * dir_clip))
+    bool found = gap_below <= 0.0;
+    for (int i = 0; i < ground_refinements && found && below - above > exact; i++) {
+        float slope = (gap_above - gap_below) / (below - above);
+        float t = i < ground_secants ? above + gap_above / slope : 0.5 * (above + below);
+        float gap = ground_gap(clip + t * dir_clip);
+        if (abs(gap) < slope * exact) {
             below = t;
-        else
-            above = t;
+            break;
+        }
+        above = gap > 0.0 ? t : above;
+        gap_above = gap > 0.0 ? gap : gap_above;
+        below = gap > 0.0 ? below : t;
+        gap_below = gap > 0.0 ? gap_below : gap;
     }
     return vec3(ice_light_uv(clip + below * dir_clip), found ? 1.0 : 0.0);
 }
