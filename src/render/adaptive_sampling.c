@@ -164,10 +164,10 @@ bool adaptive_next_round(struct adaptive *adaptive)
 
 uint32_t adaptive_light_sample(uint32_t sample)
 {
-    uint32_t step = 1;
-    while (FIRST_END * step <= sample)
-        step *= 2;
-    return sample / step * step;
+    uint32_t redrawn = FIRST_END;
+    while (2 * redrawn <= sample)
+        redrawn *= 2;
+    return sample < FIRST_END ? sample : redrawn;
 }
 
 uint32_t even_light_sample(uint32_t sample)

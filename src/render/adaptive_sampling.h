@@ -53,7 +53,7 @@ void adaptive_rescale(const struct adaptive *adaptive, struct image *image,
                       const struct frame_layer *layer);
 
 /* Returns the sample whose light maps a sample uses. They are redrawn by the first 4 samples, and
- * then twice for each doubling of the samples, because redrawing them costs as much as a small
+ * then whenever the number of samples has doubled, because redrawing them costs as much as a small
  * image, and they need fewer samples than edges. */
 uint32_t adaptive_light_sample(uint32_t sample);
 
