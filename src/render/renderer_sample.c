@@ -31,11 +31,11 @@ static bool traces_photons(const struct renderer *r)
     return refraction && refraction->refraction.trace_photons;
 }
 
-/* Returns the sample whose light maps a sample uses. On a stage, whose light is soft, 8 samples
+/* Returns the sample whose light maps a sample uses. On a stage, whose light is soft, 2 samples
  * share them. */
 static uint32_t light_sample(const struct renderer *r, uint32_t sample)
 {
-    const uint32_t shared = 8;
+    const uint32_t shared = 2;
     if (box_diagonal(r->params.scene->stage_box) > 0.0f)
         return shared * adaptive_light_sample(sample / shared);
     if (r->params.is_adaptive)

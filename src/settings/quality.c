@@ -13,7 +13,7 @@ enum {
 const struct quality qualities[QUALITY_COUNT] = {
     [DRAFT] = { "draft", "coarse surroundings and few reflections", 1 },
     [NORMAL] = { "normal", "default values of all settings", 1 },
-    [HIGH] = { "high", "5 samples per pixel, all internal reflections, ray-traced soft shadows", 5,
+    [HIGH] = { "high", "4 samples per pixel, all internal reflections, ray-traced soft shadows", 4,
                true },
 };
 
