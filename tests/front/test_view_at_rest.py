@@ -79,6 +79,7 @@ class Still(PanelsCase):
                        act=lambda: self.desktop.do('mousemove', '--window', window, at[0],
                                                    at[1] + self.BAR))
         over((x, y), 'position')
+        self.at_rest(window)
         names = [*'RGBZ', *(f'{layer}.{axis}' for layer in 'NP' for axis in 'XYZ')]
         planes = Exr((self.folder / 'a.exr').read_bytes()).read_planes(names)
         at = y * self.PICTURE[0] + x

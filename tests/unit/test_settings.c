@@ -445,7 +445,7 @@ static void test_values_of_levels(void **state)
                          STATUS_OK);
         assert_true(settings_equal(&settings, &found));
     }
-    assert_int_equal(qualities[2].samples, 5);
+    assert_int_equal(qualities[2].samples, 4);
 }
 
 int main(void)
