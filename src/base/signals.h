@@ -25,6 +25,9 @@ MUST_USE enum status signals_begin(struct signals *stop);
 /* Stops the waiting thread. The signals stay blocked and do nothing. *stop may be {0}. */
 void signals_end(struct signals *stop);
 
+/* Ends the program at once, as a signal does, but not while a file is being written. */
+_Noreturn void signals_exit(struct signals *stop, int code);
+
 /* Delays signals until signals_release(), for example while a file is written. */
 void signals_hold(struct signals *stop);
 void signals_release(struct signals *stop);

@@ -41,6 +41,12 @@ static void wait_for_signals(void *user)
     _exit(code);
 }
 
+void signals_exit(struct signals *stop, int code)
+{
+    mutex_lock(&stop->writing);
+    _exit(code);
+}
+
 enum status signals_begin(struct signals *stop)
 {
     const sigset_t signals = termination_signals();

@@ -55,3 +55,9 @@ void signals_release(struct signals *stop)
 {
     mutex_unlock(&stop->writing);
 }
+
+void signals_exit(struct signals *stop, int code)
+{
+    mutex_lock(&stop->writing);
+    _Exit(code);
+}

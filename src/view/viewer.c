@@ -60,6 +60,19 @@ static void show_busy(void *user, double seconds)
     free(box.pixels);
 }
 
+/* Ends the program while a job runs, which may take seconds; with --frames, only hides the window,
+ * since images may have to be written. */
+static void end(void *user)
+{
+    struct view *v = user;
+    window_hide(&v->window);
+    if (v->options->window->frame_count)
+        return;
+    if (!v->options->quiet)
+        view_frame_stats_print(&v->frame_stats, stderr);
+    signals_exit(&v->signals, v->message_count ? STATUS_FAILED : STATUS_OK);
+}
+
 static enum status open_window(struct view *v)
 {
     const struct window_params params = {
@@ -70,6 +83,7 @@ static enum status open_window(struct view *v)
     };
     enum status status = window_init(&v->window, &params);
     v->window.show_busy = show_busy;
+    v->window.end = end;
     v->window.busy_user = v;
     if (status == STATUS_OK)
         status = window_system(&v->window, &v->system);

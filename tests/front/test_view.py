@@ -226,6 +226,13 @@ class Hands(WindowCase):
                          lambda: len(self.desktop.pixels(window)) == 200 * 150 * 3)
         self.close(window)
 
+    def test_the_end_while_loading(self):
+        """It waits for nothing that the worker thread does."""
+        window = self.start('drink', title='loading drink')
+        start = time.monotonic()
+        self.press_to_end(window, 'ctrl+q')
+        self.assertLess(time.monotonic() - start, 2)
+
 
 class Drop(WindowCase):
     def test_a_model_and_what_is_none(self):

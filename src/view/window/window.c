@@ -28,7 +28,9 @@ static bool notify(struct window *w, const struct window_event *event)
 
 static void add_action(struct window *w, enum view_action action)
 {
-    if (action != VIEW_ACTION_NONE && w->input.action_count < WINDOW_ACTION_COUNT)
+    if (action == VIEW_QUIT)
+        glfwSetWindowShouldClose(w->handle, GLFW_TRUE); /* also ends a job of the worker thread */
+    else if (action != VIEW_ACTION_NONE && w->input.action_count < WINDOW_ACTION_COUNT)
         w->input.actions[w->input.action_count++] = action;
 }
 

@@ -67,6 +67,7 @@ struct window {
     window_listen_fn *listen; /* may be NULL */
     void *listener;
     window_busy_fn *show_busy; /* may be NULL */
+    void (*end)(void *user);   /* called with `busy_user` if the window is closed during a job */
     void *busy_user;
     bool is_initialised; /* GLFW is initialised */
     struct window_input input;

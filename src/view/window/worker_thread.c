@@ -35,7 +35,7 @@ enum status worker_run(struct window *window, worker_fn *work, void *user)
         if (window->show_busy && !atomic_load(&job.done))
             window->show_busy(window->busy_user, clock_seconds() - start);
         if (window_is_closed(window))
-            window_hide(window);
+            window->end(window->busy_user);
     }
     pthread_join(thread, NULL);
     return job.status;

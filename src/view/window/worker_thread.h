@@ -7,7 +7,7 @@
 typedef enum status worker_fn(void *user);
 
 /* Runs `work` on a worker thread, handles window events meanwhile, and returns the status of
- * `work`. If the user closes the window, hides the window at once. `work` must not access the
+ * `work`. If the user closes the window meanwhile, calls its `end`. `work` must not access the
  * window. No other thread may access the data of `work`. */
 MUST_USE enum status worker_run(struct window *window, worker_fn *work, void *user);
 
