@@ -24,6 +24,7 @@ static const struct {
 
 static const VkExtent2D small = { 32, 24 }; /* just for compiling the shaders */
 static const double budget_seconds = 0.016; /* at half size, for 30 fps */
+static const double ample_seconds = 0.008;  /* of the coarsest level, if finer ones are tried */
 static const double hopeless_seconds = 0.2; /* estimate above which half the size is not tried */
 
 struct settings draft_renderer_settings(const struct settings *settings,
@@ -150,9 +151,12 @@ static enum status make(struct draft_renderer *q, const struct draft_renderer_pa
 enum status draft_renderer_create(struct draft_renderer *q, const struct draft_renderer_params *p,
                                   const struct renderer_shot *shot)
 {
-    enum status status = make(q, p, shot, DRAFT_RENDERER_FULL);
-    while (status == STATUS_OK && q->seconds > budget_seconds && q->level < last_level(p))
-        status = make(q, p, shot, q->seconds > hopeless_seconds ? last_level(p) : q->level + 1);
+    const enum draft_renderer_level last = last_level(p);
+    enum status status = make(q, p, shot, last);
+    if (status == STATUS_OK && q->seconds < ample_seconds)
+        status = make(q, p, shot, DRAFT_RENDERER_FULL);
+    while (status == STATUS_OK && q->seconds > budget_seconds && q->level < last)
+        status = make(q, p, shot, q->seconds > hopeless_seconds ? last : q->level + 1);
     return status == STATUS_OK ? status : give_up(q, status);
 }
 

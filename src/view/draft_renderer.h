@@ -4,11 +4,12 @@
  * They use the scene's refraction models with the settings of --quality draft and further limits
  * (draft_renderer_settings()). If half the size is too slow, they also use coarser meshes, and if
  * that is too slow, too, refraction model bounce instead of one that traces rays. They show all
- * inclusions, so that the ice looks the same in motion and at rest.
+ * inclusions, so that the ice looks the same in motion and at rest. The coarsest level is tried
+ * first, since it can show an image soonest.
  *
- * Draft renderers are created before the first image, which they draw, too. They follow later
- * changes of settings, size and models. An image whose samples are fast enough needs none. Animated
- * models have none, because each pose is another scene.
+ * Draft renderers are created before those of full quality, and draw the first image. They follow
+ * later changes of settings, size and models. An image whose samples are fast enough needs none.
+ * Animated models have none, because each pose is another scene.
  *
  * Errors: logged once where found.
  */

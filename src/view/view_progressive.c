@@ -297,9 +297,10 @@ enum status view_progressive_draw(struct view *v, const struct renderer_shot *sh
     if (is_same(v, &now))
         return r->count && has_other_exposure(v) ? resolve(v) : STATUS_OK;
     if (!r->dynamic_resolution.k)
-        dynamic_resolution_begin(&r->dynamic_resolution, 0.0);
+        dynamic_resolution_begin(&r->dynamic_resolution,
+                                 p->draft.left ? 4.0 * p->draft.seconds : 0.0);
     const bool first = !r->has_identity;
-    const uint32_t k = first || p->draft.is_off ? DYNAMIC_RESOLUTION_MAX : r->dynamic_resolution.k;
+    const uint32_t k = p->draft.is_off ? DYNAMIC_RESOLUTION_MAX : r->dynamic_resolution.k;
     const VkExtent2D view = { dynamic_resolution_scale(p->state.width, k),
                               dynamic_resolution_scale(p->state.height, k) };
     const bool other = view.width != p->extent.width || view.height != p->extent.height;

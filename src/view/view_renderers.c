@@ -287,6 +287,18 @@ enum status viewport_draw(struct viewport *p, const struct renderer_shot *shot)
     return status;
 }
 
+enum status viewport_warm_up(struct viewport *p, const struct renderer_shot *shot)
+{
+    const VkExtent2D small = { p->state.width < 32 ? p->state.width : 32,
+                               p->state.height < 24 ? p->state.height : 24 };
+    enum status status = STATUS_OK;
+    if (p->is_progressive)
+        status = renderer_set_view(p->renderer, small);
+    if (status == STATUS_OK && p->is_progressive && p->right_renderer)
+        status = renderer_set_view(p->right_renderer, small);
+    return status == STATUS_OK ? viewport_draw(p, shot) : status;
+}
+
 static struct draft_renderer_params draft_renderer_params(struct viewport *p)
 {
     return (struct draft_renderer_params){
@@ -300,8 +312,7 @@ static struct draft_renderer_params draft_renderer_params(struct viewport *p)
 bool viewport_wants_draft(const struct viewport *p)
 {
     const struct draft_renderer *q = &p->draft;
-    return !q->left && !q->is_off && !q->failed && p->is_progressive && p->renderer &&
-           !p->scene.is_animated;
+    return !q->left && !q->is_off && !q->failed && p->is_progressive && !p->scene.is_animated;
 }
 
 enum status viewport_create_draft(struct viewport *p, const struct renderer_shot *shot)
@@ -356,7 +367,7 @@ enum status viewport_refine(struct viewport *p, const struct renderer_shot *shot
 
 enum status viewport_abandon(struct viewport *p)
 {
-    enum status status = renderer_abandon(p->renderer);
+    enum status status = p->renderer ? renderer_abandon(p->renderer) : STATUS_OK;
     if (status == STATUS_OK && p->right_renderer)
         status = renderer_abandon(p->right_renderer);
     p->is_left_refined = false;
@@ -514,7 +525,7 @@ static enum status replace(struct viewport **viewport, const struct setup_image 
     }
     if (status == STATUS_OK && drawn)
         status = fit_renderers(next);
-    if (status == STATUS_OK && viewport_wants_draft(next))
+    if (status == STATUS_OK && drawn && viewport_wants_draft(next))
         status = viewport_create_draft(
             next, &(struct renderer_shot){ .camera = next->camera, .time = next->scene.time });
     if (status != STATUS_OK) {

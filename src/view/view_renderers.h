@@ -118,6 +118,8 @@ MUST_USE enum status viewport_pose(struct viewport *p, float time);
 
 /* Draws a frame with the renderers of both sides. */
 MUST_USE enum status viewport_draw(struct viewport *p, const struct renderer_shot *shot);
+/* Draws an image that is not shown, which compiles the shaders. */
+MUST_USE enum status viewport_warm_up(struct viewport *p, const struct renderer_shot *shot);
 MUST_USE enum status viewport_wait(struct viewport *p); /* waits for both sides */
 
 /* Draws an interactive frame of at most full size, with draft renderers if there are any. */

@@ -217,16 +217,22 @@ static enum status fit_image(struct view *v, bool window_changed)
     return worker_run(&v->window, resize, v);
 }
 
-/* Resizes swapchain, layout and renderer to the window. *ready is false if nothing can be drawn. */
+/* Resizes swapchain and layout to the window. *ready is false if nothing can be drawn. */
+static enum status fit_layout(struct view *v, VkExtent2D size, bool *ready, bool *remade)
+{
+    const enum status status = presenter_fit(&v->presenter, size, remade);
+    *ready = status == STATUS_OK && !v->presenter.swapchain.stale;
+    if (*ready)
+        view_update_layout(v, v->presenter.swapchain.extent);
+    return status;
+}
+
+/* Resizes swapchain, layout and renderer to the window. */
 static enum status fit(struct view *v, VkExtent2D size, bool *ready)
 {
     bool remade;
-    enum status status = presenter_fit(&v->presenter, size, &remade);
-    *ready = status == STATUS_OK && !v->presenter.swapchain.stale;
-    if (!*ready)
-        return status;
-    view_update_layout(v, v->presenter.swapchain.extent);
-    return fit_image(v, remade);
+    const enum status status = fit_layout(v, size, ready, &remade);
+    return *ready ? fit_image(v, remade) : status;
 }
 
 /* Makes the presentation plan use the current images. */
@@ -294,19 +300,12 @@ static enum status draw_image(struct view *v)
                                        : viewport_draw(v->viewport, &shot);
 }
 
-/* Draws and presents a frame: the image and the user interface. */
-static enum status draw(struct view *v, bool *ready)
+/* Presents the image and the user interface. */
+static enum status present_frame(struct view *v, bool *ready)
 {
     const struct overlay_draw_list *list = NULL;
     const struct viewport *p = v->viewport;
-    enum status status = draw_image(v);
-    if (status == STATUS_OK) {
-        view_inspect(v);
-        status = view_compare_show(v);
-    }
-    if (status == STATUS_OK) {
-        status = connect(v);
-    }
+    enum status status = connect(v);
     if (status == STATUS_OK)
         status = presenter_begin(&v->presenter, ready);
     v->changed = v->changed || !*ready; /* draw again, as nothing was presented */
@@ -325,6 +324,17 @@ static enum status draw(struct view *v, bool *ready)
         .overlay = list,
     };
     return presenter_end(&v->presenter, &window);
+}
+
+/* Draws and presents a frame: the image and the user interface. */
+static enum status draw(struct view *v, bool *ready)
+{
+    enum status status = draw_image(v);
+    if (status == STATUS_OK) {
+        view_inspect(v);
+        status = view_compare_show(v);
+    }
+    return status == STATUS_OK ? present_frame(v, ready) : status;
 }
 
 /* Adds files named in options to the recent files, unless --frames is given (scripted runs). */
@@ -413,8 +423,33 @@ static enum status run_frame(struct view *v)
     return v->frame_stats.frame_count == 1 ? view_progressive_begin(v) : STATUS_OK;
 }
 
-/* Prepares the first frame on the worker thread, because this is slow. Creates the renderers, and
- * those of drafts, which compile their shaders; else draws once for that. */
+/* Creates the draft renderers, which can draw sooner than the others. */
+static enum status create_first_draft(void *user)
+{
+    struct view *v = user;
+    bool ready;
+    bool remade;
+    const struct renderer_shot shot = shot_now(v);
+    const enum status status = fit_layout(v, v->initial_size, &ready, &remade);
+    if (status != STATUS_OK || !ready)
+        return status;
+    v->viewport->state.width = v->layout.image.extent.width;
+    v->viewport->state.height = v->layout.image.extent.height;
+    return viewport_create_draft(v->viewport, &shot);
+}
+
+/* Shows the first image while the renderers of full quality do not exist yet. */
+static enum status show_first_draft(struct view *v)
+{
+    const struct renderer_shot shot = shot_now(v);
+    bool ready;
+    view_run_ui(v, v->presenter.swapchain.extent);
+    v->progressive.has_identity = false;
+    const enum status status = view_progressive_draw(v, &shot);
+    return status == STATUS_OK ? present_frame(v, &ready) : status;
+}
+
+/* Creates the renderers and draws once, which compiles their shaders. */
 static enum status warm_up(void *user)
 {
     struct view *v = user;
@@ -423,11 +458,20 @@ static enum status warm_up(void *user)
     enum status status = fit(v, v->initial_size, &ready);
     if (status != STATUS_OK || !ready)
         return status;
-    if (viewport_wants_draft(v->viewport))
-        status = viewport_create_draft(v->viewport, &shot);
-    if (status == STATUS_OK && !v->viewport->draft.left)
-        status = viewport_draw(v->viewport, &shot);
+    status = viewport_warm_up(v->viewport, &shot);
     return status == STATUS_OK ? viewport_wait(v->viewport) : status;
+}
+
+/* Prepares the first frame on the worker thread, because this is slow. */
+static enum status begin_image(struct view *v)
+{
+    enum status status = STATUS_OK;
+    if (viewport_wants_draft(v->viewport)) {
+        status = worker_run(&v->window, create_first_draft, v);
+        if (status == STATUS_OK && v->viewport->draft.left)
+            status = show_first_draft(v);
+    }
+    return status == STATUS_OK ? worker_run(&v->window, warm_up, v) : status;
 }
 
 /* Opens the device, loads the scene and creates the user interface, while the window is open. */
@@ -449,7 +493,7 @@ static enum status begin_device(struct view *v)
     v->presenter.replace = v->shader_reload ? shader_reload_replace : NULL;
     v->presenter.replace_user = v->shader_reload;
     v->initial_size = window_size(&v->window);
-    return worker_run(&v->window, warm_up, v);
+    return begin_image(v);
 }
 
 /* Opens the window first, so that the user sees it immediately. */

@@ -233,6 +233,14 @@ class Hands(WindowCase):
         self.press_to_end(window, 'ctrl+q')
         self.assertLess(time.monotonic() - start, 2)
 
+    def test_a_draft_while_loading(self):
+        """It is shown before the renderers of full quality exist."""
+        window = self.start('ice-cube', title='loading shaders', plain=())
+        top = 200 * 3  # its first row, far from the spinner
+        wait_until('an image', lambda: len(set(self.desktop.pixels(window)[:top])) > 3, self.words)
+        self.assertIn('loading', self.desktop.ask('xdotool', 'getwindowname', window))
+        self.press_to_end(window, 'ctrl+q')
+
 
 class Drop(WindowCase):
     def test_a_model_and_what_is_none(self):

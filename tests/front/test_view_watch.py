@@ -6,6 +6,7 @@ import os
 import pathlib
 import shutil
 import sys
+import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import CRACKED, NO_INPUT, Case, long, main  # noqa: E402
@@ -34,6 +35,7 @@ class WatchCase(WindowCase):
         seen = [None]
 
         def twice():
+            time.sleep(0.3)  # a sample follows the draft sooner
             seen.append(self.desktop.pixels(window))
             return seen[-1] == seen[-2]
         wait_until('the same picture twice', twice, self.words)
