@@ -12,7 +12,7 @@
 #include <stdint.h>
 
 enum {
-    DYNAMIC_RESOLUTION_MIN = 6, /* in sixteenths of the full size */
+    DYNAMIC_RESOLUTION_MIN = 4, /* in sixteenths of the full size */
     DYNAMIC_RESOLUTION_MAX = 16,
 };
 

@@ -39,10 +39,10 @@ static void late_frames_are_smaller_at_once(void **state)
     run(&m, 0.04, 0.004, 1);
     assert_int_equal(m.k, 12); /* 26.5 ms */
     dynamic_resolution_begin(&m, 0.0);
-    run(&m, 0.2, 0.004, 1);
+    run(&m, 0.5, 0.004, 1);
     assert_int_equal(m.k, DYNAMIC_RESOLUTION_MIN);
     dynamic_resolution_begin(&m, 0.0);
-    dynamic_resolution_add(&m, 0.2, 0.0); /* nobody knows what the passes took */
+    dynamic_resolution_add(&m, 0.5, 0.0); /* nobody knows what the passes took */
     assert_int_equal(m.k, DYNAMIC_RESOLUTION_MIN);
 }
 
