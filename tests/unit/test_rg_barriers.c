@@ -393,6 +393,23 @@ static void test_barriers_of_shared_memory(void **state)
     }
 }
 
+/* The first use of shared memory waits for depth writes, which no barrier has made available. */
+static void test_shared_memory_waits_for_writes(void **state)
+{
+    (void)state;
+    const struct rg_pass passes[] = {
+        DRAW("to a", .color = RG_TARGETS({ CLEARED(a) }), .depth = { CLEARED(depth) }),
+        DRAW("to b", .color = RG_TARGETS({ CLEARED(b) }), SAMPLING(a)),
+    };
+    struct rg_plan *plan = small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(b) });
+    CHECK_BARRIERS(
+        plan, 1,
+        MOVE(a, FROM(COLOR_STAGE, COLOR_WRITE, AS_COLOR), TO(FRAGMENT, SAMPLED_READ, AS_TEXTURE)),
+        MOVE(b, FROM(TESTS | ANY_SHADER, DEPTH_WRITES, NEW),
+             TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)));
+    rg_plan_destroy(plan);
+}
+
 /* Where fewest batches and least memory contradict each other: only c would wait before pass 3. */
 static void test_fewest_batches_before_least_memory(void **state)
 {
@@ -424,6 +441,7 @@ int main(void)
         cmocka_unit_test(test_barriers_of_an_import),
         cmocka_unit_test(test_barriers_of_history),
         cmocka_unit_test(test_barriers_of_shared_memory),
+        cmocka_unit_test(test_shared_memory_waits_for_writes),
         cmocka_unit_test(test_fewest_batches_before_least_memory),
         cmocka_unit_test(test_reads_after_reads_are_merged),
         cmocka_unit_test(test_different_reads_are_merged),
