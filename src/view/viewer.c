@@ -508,19 +508,28 @@ static enum status begin(struct view *v)
     return status == STATUS_OK ? begin_device(v) : status;
 }
 
-/* Reopens a lost device, unless the previous loss was less than RECOVERY_SECONDS ago. The window
- * shows its last image meanwhile. Returns other errors unchanged. */
+/* Closes a lost device and returns true, so that the caller can reopen it. Returns false for other
+ * errors, and if the previous loss was less than RECOVERY_SECONDS ago. */
+static bool leave_lost_device(struct view *v, enum status status)
+{
+    const bool is_recent =
+        v->recovered_at > 0.0 && clock_seconds() - v->recovered_at < RECOVERY_SECONDS;
+    if (status != STATUS_TRY_AGAIN || is_recent || !gpu_is_lost(&v->gpu))
+        return false;
+    v->recovered_at = clock_seconds();
+    log_warning("the device was lost: reopening it once");
+    leave_device(v);
+    return true;
+}
+
+/* Reopens a lost device. The window shows its last image meanwhile. Returns other errors
+ * unchanged. */
 static enum status recover(struct view *v, enum status status)
 {
     const bool has_ui = v->ui;
     const bool shown = v->presenter.font;
-    const bool is_recent =
-        v->recovered_at > 0.0 && clock_seconds() - v->recovered_at < RECOVERY_SECONDS;
-    if (status != STATUS_TRY_AGAIN || is_recent || !gpu_is_lost(&v->gpu))
+    if (!leave_lost_device(v, status))
         return status;
-    v->recovered_at = clock_seconds();
-    log_warning("the device was lost: reopening it once");
-    leave_device(v);
     status = begin_device(v);
     if (status == STATUS_OK && has_ui && v->ui)
         view_show_ui(v, shown);
@@ -532,6 +541,25 @@ static enum status recover(struct view *v, enum status status)
     return status;
 }
 
+/* Waits for the last frames and writes the outputs, again if the device is lost meanwhile. */
+static enum status end(struct view *v)
+{
+    const bool writes = v->options->outputs->count && v->frame_stats.frame_count;
+    enum status status = presenter_wait(&v->presenter);
+    if (status == STATUS_OK && v->viewport && v->viewport->renderer)
+        status = viewport_wait(v->viewport);
+    if (!writes)
+        return status;
+    if (status == STATUS_OK)
+        status = view_write_outputs(v);
+    if (!leave_lost_device(v, status))
+        return status;
+    status = open_device(v);
+    if (status == STATUS_OK)
+        status = load(v);
+    return status == STATUS_OK ? view_write_outputs(v) : status;
+}
+
 static enum status run(struct view *v)
 {
     enum status status = recover(v, begin(v));
@@ -541,9 +569,7 @@ static enum status run(struct view *v)
         status = recover(v, run_frame(v));
         v->quit = v->quit || window_is_closed(&v->window);
     }
-    if (status == STATUS_OK && v->options->outputs->count && v->frame_stats.frame_count)
-        status = view_write_outputs(v);
-    return status;
+    return status == STATUS_OK ? end(v) : status;
 }
 
 enum status viewer_run(const struct viewer_params *options)

@@ -57,6 +57,25 @@ class Window(LayerCase):
                     if words == WHOLE:
                         self.assertEqual(left['a.png'], picture)
 
+    def test_a_device_is_lost_at_the_end(self):
+        """While the last frames end, and while the image is saved. The last fence is that of a
+        frame before, which has ended, too."""
+        counts = self.count(*VIEW, '-q')
+        picture = (self.folder / 'a.png').read_bytes()
+        for command in ('vkQueueSubmit2', 'vkWaitForFences'):
+            for back in range(command == 'vkWaitForFences', 4):
+                lines, code, left = self.lose(command, counts[command] - back, VIEW)
+                with self.subTest(f'{command} {back}: {lines}'):
+                    self.assertEqual(code, 0)
+                    self.assertEqual(lines[1:], [ANEW])
+                    self.assertEqual(left, {'a.png': picture})
+        shown = VIEW[:-len(PLAIN + FLAT) - 2] + PLAIN + FLAT  # no output
+        last = self.count(*shown, '-q')['vkWaitForFences']
+        for back in range(1, 4):
+            lines, code, _ = self.lose('vkWaitForFences', last - back, shown)
+            with self.subTest(f'no output, {back}: {lines}'):
+                self.assertEqual((code, len(lines)), (TRY_AGAIN, 1))
+
     def test_a_device_is_lost_again(self):
         """While it loads, at its first frame, and later: the second time is the last."""
         for command, call in (('vkQueueSubmit2', 3), ('vkQueuePresentKHR', 1),
