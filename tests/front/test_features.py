@@ -441,15 +441,24 @@ class Surfaces(Cards):
         self.card('tangents, turned', bent(y, 255 - x, z), tilted, more={'TANGENT': along_y})
         self.card('tangents, no area in the texture', bent(x, y, z), tilted, uv=((0, 0),) * 4,
                   more={'TANGENT': along_x})
-        self.card('tangents, mirrored', bent(x, 255 - y, z), tilted,
-                  more={'TANGENT': [(2, 0, 0, -1)] * 4})
         self.card('tangents, a node mirrored', bent(255 - x, y, z), tilted, scale=[-1, 1, 1],
                   more={'TANGENT': along_x})
         self.card('tangents, a node turned', bent(x, y, z), tilted,
                   rotation=[0, 0, math.sqrt(0.5), math.sqrt(0.5)],
                   more={'TANGENT': [(0, -1, 0, 1)] * 4})
-        self.card('tangents, seen from behind', bent(x, y, z), tilted, normal=(0, 0, -1),
-                  more={'TANGENT': [(1, 0, 0, -1)] * 4})
+        self.check_all()
+
+    @unsanitized
+    def test_handedness_of_vertex_tangents(self):
+        """The bitangent's sign is that of the tangent's w, on both sides of the surface."""
+        tilted = self.card('normals', pbr((1, 1, 1, 1), 1, 0.3), normal=TILT)
+        x, y, z = (round(127.5 + 127.5 * c) for c in TILT)
+        for name, texel, normal, w in (
+                ('tangents', (x, y, z), NORMAL, 1),
+                ('tangents, mirrored', (x, 255 - y, z), NORMAL, -1),
+                ('tangents, seen from behind', (x, y, z), (0, 0, -1), -1)):
+            self.card(name, pbr((1, 1, 1, 1), 1, 0.3, normalTexture=self.scene.texture(
+                (*texel, 255))), tilted, normal=normal, more={'TANGENT': [(2, 0, 0, w)] * 4})
         self.check_all()
 
     def test_a_third_set(self):
