@@ -62,7 +62,7 @@ static void show_busy(void *user, double seconds)
 
 /* Ends the program while a job runs, which may take seconds; with --frames, only hides the window,
  * since images may have to be written. */
-static void end(void *user)
+static void end_during_job(void *user)
 {
     struct view *v = user;
     window_hide(&v->window);
@@ -83,7 +83,7 @@ static enum status open_window(struct view *v)
     };
     enum status status = window_init(&v->window, &params);
     v->window.show_busy = show_busy;
-    v->window.end = end;
+    v->window.end = end_during_job;
     v->window.busy_user = v;
     if (status == STATUS_OK)
         status = window_system(&v->window, &v->system);
