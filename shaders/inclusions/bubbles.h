@@ -21,19 +21,21 @@ struct bubbles_drawn {
 
 #define BUBBLES_NODES_MAX (2 * BUBBLES_COUNT_MAX)
 
-/* values of bubbles_node.kind */
-#define BUBBLES_NODE_BOX       0 /* bounding box of the nodes up to `skip` */
+/* Kinds of nodes, in the two lowest bits of bubbles_node.link. */
+#define BUBBLES_NODE_BOX       0 /* bounding box of the nodes up to the link */
 #define BUBBLES_NODE_ELLIPSOID 1
 #define BUBBLES_NODE_CAPSULE   2
+#define BUBBLES_NODE_KIND      3 /* mask */
+#define BUBBLES_NODE_SHIFT     2
+
+#define BUBBLES_NODE_TEXELS 2 /* texels of a node in the texel buffer */
 
 /* Node of the BVH of bubbles, in world space and depth-first order. The first node is a box. */
 struct bubbles_node {
     vec3s center;
-    float radius;  /* as in bubbles_drawn; unused for boxes */
-    vec3s axis;    /* box: half its size */
+    uint32_t link; /* index of the next node if a ray misses this one, and the kind */
+    vec3s axis;    /* unit axis times radius; box: half its size */
     float stretch; /* as in bubbles_drawn; unused for boxes */
-    uint32_t kind; /* BUBBLES_NODE_BOX ... */
-    uint32_t skip; /* index of the next node if a ray misses this one */
 };
 
 #endif

@@ -20,7 +20,7 @@
 #define REFRACT_MATERIAL_BASE  11
 /* Image of the cracks that refracted rays can hit, as written by cracks_gbuffer.frag. */
 #define REFRACT_CRACKS    6
-#define REFRACT_BUBBLES   28 /* storage buffer of bubbles_node, the BVH of the bubbles */
+#define REFRACT_BUBBLES   28 /* texel buffer of bubbles_node, the BVH of the bubbles */
 #define REFRACT_COMPOSITE 1  /* image that refract_composite.frag composites */
 
 /* Varyings written by the vertex shaders of the front faces. */

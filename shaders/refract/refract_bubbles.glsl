@@ -16,10 +16,7 @@
 #include "refract/refract_medium.glsl"
 #endif
 
-layout(set = 0, binding = REFRACT_BUBBLES, scalar) readonly buffer Bubbles
-{
-    bubbles_node bubble_nodes[];
-};
+layout(set = 0, binding = REFRACT_BUBBLES) uniform usamplerBuffer bubble_nodes;
 
 /* Maximum number of bubbles that attenuate a path between two faces. */
 const uint bubbles_hits_max = 4u;
@@ -52,14 +49,28 @@ struct bubbles_hit {
     uint index;  /* of the node */
 };
 
+bubbles_node bubbles_node_at(uint index)
+{
+    uvec4 first = texelFetch(bubble_nodes, int(BUBBLES_NODE_TEXELS * index));
+    uvec4 second = texelFetch(bubble_nodes, int(BUBBLES_NODE_TEXELS * index + 1u));
+    return bubbles_node(uintBitsToFloat(first.xyz), first.w, uintBitsToFloat(second.xyz),
+                        uintBitsToFloat(second.w));
+}
+
+bool bubbles_is_capsule(bubbles_node node)
+{
+    return (node.link & BUBBLES_NODE_KIND) == BUBBLES_NODE_CAPSULE;
+}
+
 /* Returns the fraction of a footprint of width `width` that a node's bubble covers. Sets `t`. */
 float bubbles_cover(bubbles_node node, vec3 from, vec3 dir, float width, out float t)
 {
-    vec3 axis = node.axis, gap;
-    float radius = node.radius, slope = dot(dir, axis);
+    float radius = length(node.axis);
+    vec3 axis = node.axis / radius, gap;
+    float slope = dot(dir, axis);
     from -= node.center;
     float across = 1.0 - slope * slope;
-    if (node.kind == BUBBLES_NODE_CAPSULE) {
+    if (bubbles_is_capsule(node)) {
         float along = dot(from, dir);
         float at = (dot(from, axis) - slope * along) / max(across, 1e-6);
         at = clamp(at, -node.stretch, node.stretch);
@@ -94,13 +105,14 @@ bubbles_hit bubbles_find(vec3 from, vec3 dir, float width, vec2 range)
 {
     vec3 inverse_dir = 1.0 / mix(dir, vec3(1e-9), lessThan(abs(dir), vec3(1e-9)));
     bubbles_hit hit = bubbles_hit(range.y, 0.0, 0u);
-    uint count = bubble_nodes[0].skip;
+    uint count = bubbles_node_at(0u).link >> BUBBLES_NODE_SHIFT;
     for (uint i = 0u; i < count;) {
-        bubbles_node node = bubble_nodes[i];
+        bubbles_node node = bubbles_node_at(i);
+
         uint next = i + 1u;
-        if (node.kind == BUBBLES_NODE_BOX) {
+        if ((node.link & BUBBLES_NODE_KIND) == BUBBLES_NODE_BOX) {
             if (!bubbles_enters(node, from, inverse_dir, 0.5 * width, vec2(range.x, hit.t)))
-                next = node.skip;
+                next = node.link >> BUBBLES_NODE_SHIFT;
         } else {
             float t;
             float cover = bubbles_cover(node, from, dir, width, t);
@@ -144,21 +156,22 @@ struct bubbles_crossing {
 /* Refracts a segment at a bubble. `t` is the distance to the closest approach. */
 bubbles_crossing bubbles_cross(bubbles_node node, bubbles_segment segment, float t)
 {
-    bool is_capsule = node.kind == BUBBLES_NODE_CAPSULE;
-    vec3 axis = node.axis, dir = segment.dir, from = segment.from - node.center;
-    vec2 at = bubble_intersect(from, dir, axis, node.stretch, node.radius, is_capsule);
+    bool is_capsule = bubbles_is_capsule(node);
+    float radius = length(node.axis);
+    vec3 axis = node.axis / radius, dir = segment.dir, from = segment.from - node.center;
+    vec2 at = bubble_intersect(from, dir, axis, node.stretch, radius, is_capsule);
     bubbles_crossing crossed;
     vec3 enter = from + (at.x <= at.y ? at.x : t) * dir; /* the closest point if it misses */
-    crossed.n = bubble_normal(enter, axis, node.stretch, node.radius, is_capsule);
+    crossed.n = bubble_normal(enter, axis, node.stretch, radius, is_capsule);
     float along = max(dot(crossed.n, dir), 0.0);
     crossed.n = normalize(crossed.n - along * dir); /* the nearest normal that faces the ray */
     crossed.reflectance = optics_fresnel(dir, crossed.n, segment.eta);
     crossed.transmitted = dir;
     if (crossed.reflectance < 1.0) {
         vec3 inside = refract(dir, crossed.n, segment.eta);
-        vec2 through = bubble_intersect(enter, inside, axis, node.stretch, node.radius, is_capsule);
+        vec2 through = bubble_intersect(enter, inside, axis, node.stretch, radius, is_capsule);
         vec3 leave = enter + max(through.y, 0.0) * inside;
-        vec3 last = bubble_normal(leave, axis, node.stretch, node.radius, is_capsule);
+        vec3 last = bubble_normal(leave, axis, node.stretch, radius, is_capsule);
         crossed.transmitted = refract(inside, -last, 1.0 / segment.eta);
     }
     return crossed;
@@ -204,10 +217,10 @@ float bubbles_gather(bubbles_segment segment, vec3 weight, inout float transmitt
         if (hit.cover <= 0.0)
             break;
         bubbles_add_scattered(segment, vec2(from_t, hit.t), rest * weight, transmittance, light);
-        bubbles_node node = bubble_nodes[hit.index];
+        bubbles_node node = bubbles_node_at(hit.index);
         bubbles_crossing crossed = bubbles_cross(node, segment, hit.t);
         light += rest * hit.cover * transmittance * weight * exp(-segment.absorb * hit.t) *
-                 bubbles_light(crossed, segment.dir, node.radius / segment.width);
+                 bubbles_light(crossed, segment.dir, length(node.axis) / segment.width);
         rest *= 1.0 - hit.cover;
         from_t = hit.t;
     }

@@ -261,16 +261,17 @@ static uint32_t append_nodes(struct bubbles_node *nodes, uint32_t used, struct b
         used = append_nodes(nodes, used, all + count / 2, count - count / 2);
     }
     for (uint32_t i = 0; i < count && count <= LEAF_COUNT; i++, used++) {
+        const bool has_axis = glms_vec3_norm2(all[i].axis) > 0.0f;
         nodes[used] = (struct bubbles_node){
             all[i].center,
-            all[i].radius,
-            all[i].axis,
+            (used + 1) << BUBBLES_NODE_SHIFT |
+                (all[i].is_capsule ? BUBBLES_NODE_CAPSULE : BUBBLES_NODE_ELLIPSOID),
+            has_axis ? glms_vec3_scale(all[i].axis, all[i].radius)
+                     : (vec3s){ { 0.0f, all[i].radius, 0.0f } },
             all[i].stretch,
-            all[i].is_capsule ? BUBBLES_NODE_CAPSULE : BUBBLES_NODE_ELLIPSOID,
-            used + 1,
         };
     }
-    node->skip = used;
+    node->link = used << BUBBLES_NODE_SHIFT;
     return used;
 }
 
@@ -284,7 +285,7 @@ void bubbles_write_bvh(void *memory, const struct frame_view *view, const struct
     if (all->count)
         append_nodes(nodes, 0, in_world, all->count);
     else
-        nodes[0] = (struct bubbles_node){ .skip = 0 };
+        nodes[0] = (struct bubbles_node){ .link = 0 };
 }
 
 static const struct technique_upload uploads[] = {

@@ -28,6 +28,7 @@ static rg_record_fn record_screen;
 const struct rg_buffer bubbles_bvh = {
     .name = "bubbles.bvh",
     .size = (size_t)BUBBLES_NODES_MAX * sizeof(struct bubbles_node),
+    .format = VK_FORMAT_R32G32B32A32_UINT, /* llvmpipe reads texels faster than storage buffers */
     .memory = RG_MEMORY_UPLOAD,
 };
 
@@ -40,7 +41,7 @@ static const struct rg_use uses[] = {
     FRAME_SAMPLE(ice_normal_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
     FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT_MAP),
     FRAME_SAMPLE(cracks_hits, REFRACT_CRACKS, .fallback = &no_cracks),
-    { .buffer = &bubbles_bvh, .access = RG_STORAGE_READ, .binding = REFRACT_BUBBLES },
+    { .buffer = &bubbles_bvh, .access = RG_SAMPLED, .binding = REFRACT_BUBBLES },
     { 0 },
 };
 
@@ -51,7 +52,7 @@ static const struct rg_use wide_uses[] = {
     FRAME_SAMPLE(ice_normal_wide_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
     FRAME_READ(ice_normal_wide_front_depth, REFRACT_DEPTH_FRONT_MAP),
     FRAME_SAMPLE(cracks_hits, REFRACT_CRACKS, .fallback = &no_cracks),
-    { .buffer = &bubbles_bvh, .access = RG_STORAGE_READ, .binding = REFRACT_BUBBLES },
+    { .buffer = &bubbles_bvh, .access = RG_SAMPLED, .binding = REFRACT_BUBBLES },
     { 0 },
 };
 
@@ -71,7 +72,7 @@ static const struct rg_use nested_uses[] = {
     FRAME_READ(ice_nested_depths, ICE_NESTED_DEPTHS),
     FRAME_SAMPLE(ice_nested_normals, ICE_NESTED_NORMALS, .sampler = &frame_linear),
     { .buffer = &ice_nested_media, .access = RG_UNIFORM, .binding = ICE_NESTED_MEDIA },
-    { .buffer = &bubbles_bvh, .access = RG_STORAGE_READ, .binding = REFRACT_BUBBLES },
+    { .buffer = &bubbles_bvh, .access = RG_SAMPLED, .binding = REFRACT_BUBBLES },
     { 0 },
 };
 
@@ -80,7 +81,7 @@ static const struct rg_use nested_wide_uses[] = {
     FRAME_READ(ice_nested_wide_depths, ICE_NESTED_DEPTHS),
     FRAME_SAMPLE(ice_nested_wide_normals, ICE_NESTED_NORMALS, .sampler = &frame_linear),
     { .buffer = &ice_nested_media, .access = RG_UNIFORM, .binding = ICE_NESTED_MEDIA },
-    { .buffer = &bubbles_bvh, .access = RG_STORAGE_READ, .binding = REFRACT_BUBBLES },
+    { .buffer = &bubbles_bvh, .access = RG_SAMPLED, .binding = REFRACT_BUBBLES },
     { 0 },
 };
 
