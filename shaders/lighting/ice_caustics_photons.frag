@@ -33,6 +33,7 @@ layout(location = 2) out vec4 landing_blue;
 layout(location = 3) out vec4 landing_reflected;
 layout(location = 4) out vec4 landing_later;
 
+const float ground_none = 1.0; /* greater than differences of depth */
 const int ground_steps = 24;
 const int ground_secants = 3;         /* refinements by the secant method */
 const int ground_refinements = 12;    /* refinements at most */
@@ -80,11 +81,11 @@ float length_to_map_edge(vec4 clip, vec4 dir_clip)
 }
 
 /* Returns the difference of depth between a position and the ground behind it: positive in front of
- * the ground and where there is none. */
+ * the ground; ground_none where there is none. */
 float ground_gap(vec4 clip)
 {
     float depth = refract_depth_at_uv(ground, ice_light_uv(clip));
-    return depth > 0.0 ? clip.z / clip.w - depth : 1.0;
+    return depth > 0.0 ? clip.z / clip.w - depth : ground_none;
 }
 
 bool march_is_in_ground(vec3 point)
@@ -116,9 +117,11 @@ vec3 land(vec3 point, vec3 dir)
     bool found = gap_below <= 0.0;
     for (int i = 0; i < ground_refinements && found && below - above > exact; i++) {
         float slope = (gap_above - gap_below) / (below - above);
-        float t = i < ground_secants ? above + gap_above / slope : 0.5 * (above + below);
+        bool has_ground = gap_above < ground_none;
+        float t =
+            has_ground && i < ground_secants ? above + gap_above / slope : 0.5 * (above + below);
         float gap = ground_gap(clip + t * dir_clip);
-        if (abs(gap) < slope * exact) {
+        if (has_ground && abs(gap) < slope * exact) {
             below = t;
             break;
         }
