@@ -24,7 +24,8 @@ static const struct {
 
 static const VkExtent2D small = { 32, 24 }; /* just for compiling the shaders */
 static const double budget_seconds = 0.016; /* at half size, for 30 fps */
-static const double ample_seconds = 0.008;  /* of the coarsest level, if finer ones are tried */
+static const double ample_seconds =
+    0.008; /* time of the coarsest level, below which finer ones are tried */
 static const double hopeless_seconds = 0.2; /* estimate above which half the size is not tried */
 
 struct settings draft_renderer_settings(const struct settings *settings,

@@ -35,7 +35,7 @@ class WatchCase(WindowCase):
         seen = [None]
 
         def twice():
-            time.sleep(0.3)  # a sample follows the draft sooner
+            time.sleep(0.3)  # longer than from a draft to the first sample
             seen.append(self.desktop.pixels(window))
             return seen[-1] == seen[-2]
         wait_until('the same picture twice', twice, self.words)

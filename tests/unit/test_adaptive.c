@@ -161,7 +161,7 @@ static void test_evened_sums(void **state)
     adaptive_finish(&a);
 }
 
-/* 4 light maps, then 1 for each doubling of the samples. */
+/* Each of the first 4 samples has its own light maps; then each doubling of the samples has one. */
 static void test_light_maps(void **state)
 {
     static const uint32_t first[] = { 0, 1, 2, 3, 4, 8, 16, 32 };
