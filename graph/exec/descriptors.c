@@ -331,6 +331,21 @@ static bool differs_by_slot(const struct rg_exec *exec, const struct rg_plan_pas
     return false;
 }
 
+/* Keeps the views of a pass's texel buffers, which kept descriptor sets refer to. */
+static VkResult keep_texels(struct rg_exec *exec, const struct rg_plan_pass *plan)
+{
+    VkResult result = VK_SUCCESS;
+    for (uint32_t i = 0; i < descriptor_count(plan); i++) {
+        const struct exec_descriptor *d = &exec->descriptors[i];
+        for (uint32_t slot = 0; slot < exec->slot_count && is_texels(d); slot++) {
+            VkBufferView kept;
+            RG_TRY(find_texels(exec, d, slot, &kept));
+        }
+    }
+fail:
+    return result;
+}
+
 /* Creates the descriptor sets of a pass: one per frame slot if they differ, otherwise one. */
 static VkResult make_sets(struct rg_exec *exec, const struct exec_image_set *set, uint32_t pass)
 {
@@ -348,7 +363,7 @@ static VkResult make_sets(struct rg_exec *exec, const struct exec_image_set *set
     if (exec->found) {
         RG_KEY(exec, sets->pool);
         rg_exec_find(exec, VK_OBJECT_TYPE_DESCRIPTOR_POOL, &kept, sizeof(kept)); /* keeps it */
-        return VK_SUCCESS;
+        return keep_texels(exec, plan);
     }
     if (pass >= exec->pool_end)
         RG_TRY(open_pool(exec, pass));

@@ -207,7 +207,7 @@ class CommandLine(Case):
                                'refract_bounce.inclusions=cracks'))
         for words, wanted in (
                 (('--quality', 'high'),
-                 ('samples=5', 'refract.steps=12', 'ssr.steps=16')),
+                 ('samples=4', 'refract.steps=12', 'ssr.steps=16')),
                 (('--quality', 'draft'),
                  ('samples=1', 'refract_bounce.exits=1', 'trace.min_branch=0.1')),
                 (('--quality', 'high', '--quality', 'draft'),
