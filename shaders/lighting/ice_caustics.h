@@ -6,7 +6,7 @@
 #define ICE_CAUSTICS_NONE 0 /* values of ice_caustics_params.light */
 #define ICE_CAUSTICS_SUN  1
 
-#define ICE_CAUSTICS_PHOTONS  256     /* photon grid side in light space */
+#define ICE_CAUSTICS_PHOTONS  512     /* photon grid side in light space */
 #define ICE_CAUSTICS_SIZE     512     /* side of the caustic map, texels */
 #define ICE_CAUSTICS_DISTANCE 1000.0f /* light-space camera's distance, bounding radii */
 #define ICE_CAUSTICS_MARGIN   1.02f   /* light-space half width, bounding radii */

@@ -7,6 +7,7 @@
 
 enum {
     CELL = ADAPTIVE_CELL,
+    LIGHT_SHARED = 3,    /* number of samples that share the light maps */
     FIRST_END = 4,       /* samples per pixel in round 1; later rounds quadruple the total */
     RECTANGLE_COST = 64, /* fixed cost of drawing a rectangle, as a number of cells */
 };
@@ -167,6 +168,11 @@ uint32_t adaptive_light_sample(uint32_t sample)
     while (2 * redrawn <= sample)
         redrawn *= 2;
     return sample < FIRST_END ? sample : redrawn;
+}
+
+uint32_t even_light_sample(uint32_t sample)
+{
+    return sample / LIGHT_SHARED * LIGHT_SHARED;
 }
 
 uint32_t adaptive_count(const struct adaptive *adaptive, uint32_t x, uint32_t y)

@@ -57,6 +57,10 @@ void adaptive_rescale(const struct adaptive *adaptive, struct image *image,
  * image, and they need fewer samples than edges. */
 uint32_t adaptive_light_sample(uint32_t sample);
 
+/* Returns the same if all pixels have equally many samples: 3 samples share the maps, so that the
+ * noise of caustics still falls with the square root of the number of samples. */
+uint32_t even_light_sample(uint32_t sample);
+
 /* Returns the number of samples drawn for a pixel. */
 uint32_t adaptive_count(const struct adaptive *adaptive, uint32_t x, uint32_t y);
 

@@ -23,14 +23,24 @@ static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
                       (float)row + 0.5f - (float)params->rows / 2.0f } };
 }
 
-/* Returns the sample whose light maps a sample uses. On a stage, whose light is soft, 2 samples
+/* Returns true if photons of the light maps are ray traced, which dominates the time of small
+ * images. */
+static bool traces_photons(const struct renderer *r)
+{
+    const struct technique *refraction = r->params.refraction;
+    return refraction && refraction->refraction.trace_photons;
+}
+
+/* Returns the sample whose light maps a sample uses. On a stage, whose light is soft, 8 samples
  * share them. */
 static uint32_t light_sample(const struct renderer *r, uint32_t sample)
 {
-    const uint32_t shared = 2;
+    const uint32_t shared = 8;
     if (box_diagonal(r->params.scene->stage_box) > 0.0f)
         return shared * adaptive_light_sample(sample / shared);
-    return r->params.is_adaptive ? adaptive_light_sample(sample) : sample;
+    if (r->params.is_adaptive)
+        return adaptive_light_sample(sample);
+    return traces_photons(r) ? even_light_sample(sample) : sample;
 }
 
 /* Fills the globals buffer and those upload buffers of techniques that the plan contains. */

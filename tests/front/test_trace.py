@@ -77,12 +77,12 @@ class Trace(Case):
                  'ice_caustics.light=sun', '--set', 'sky.sun_elevation=60', '--set',
                  'trace.surroundings=rays', '--set', 'reference.photons=200000',
                  '--eye', '0,4,7', '--target', '0,-1,0')
-        found = self.planes(*words, '-r', 'trace', '--samples', 4)
+        found = self.planes(*words, '-r', 'trace')
         truth = self.planes(*words, '-r', 'reference', env=NO_DRIVER)
         ground = [i for i, share in enumerate(truth['fresnel.Z']) if share == 0]
         error = sum(abs(min(found[name][i], 1) - min(truth[name][i], 1))
                     for name in 'RGB' for i in ground) / len(ground) / 3
-        self.assertLess(error, 0.0015)
+        self.assertLess(error, 0.0018)  # photons from the sun's view alone: 0.0021
         self.assertGreater(max(found['G'][i] for i in ground), 1.3)
 
     @unsanitized

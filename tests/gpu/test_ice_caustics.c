@@ -274,7 +274,7 @@ static void a_slab_takes_its_share(void **state)
         print_message("%zu: %.4f of %.4f, %.0f pixels\n", i, sums[i] / counts[i], expected[i],
                       counts[i]);
         assert_true(counts[i] > 2000);
-        CHECK_NEAR(sums[i] / counts[i], expected[i], 0.02); /* edges cross photon texels */
+        CHECK_NEAR(sums[i] / counts[i], expected[i], 0.01);
     }
     render_result_finish(&lit.result);
     scene_finish(&scene);

@@ -174,16 +174,21 @@ static void test_light_maps(void **state)
     assert_int_equal(count, 8);
 }
 
+static void test_even_light_maps(void **state)
+{
+    static const uint32_t expected[] = { 0, 0, 0, 3, 3, 3, 6, 6, 6, 9 };
+    (void)state;
+    for (uint32_t sample = 0; sample < 10; sample++)
+        assert_int_equal(even_light_sample(sample), expected[sample]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_light_maps),
-        cmocka_unit_test(test_an_even_picture),
-        cmocka_unit_test(test_noise_everywhere),
-        cmocka_unit_test(test_noise_in_corners),
-        cmocka_unit_test(test_parts),
-        cmocka_unit_test(test_the_limit),
-        cmocka_unit_test(test_evened_sums),
+        cmocka_unit_test(test_light_maps),       cmocka_unit_test(test_even_light_maps),
+        cmocka_unit_test(test_an_even_picture),  cmocka_unit_test(test_noise_everywhere),
+        cmocka_unit_test(test_noise_in_corners), cmocka_unit_test(test_parts),
+        cmocka_unit_test(test_the_limit),        cmocka_unit_test(test_evened_sums),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
