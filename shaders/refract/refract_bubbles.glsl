@@ -108,7 +108,6 @@ bubbles_hit bubbles_find(vec3 from, vec3 dir, float width, vec2 range)
     uint count = bubbles_node_at(0u).link >> BUBBLES_NODE_SHIFT;
     for (uint i = 0u; i < count;) {
         bubbles_node node = bubbles_node_at(i);
-
         uint next = i + 1u;
         if ((node.link & BUBBLES_NODE_KIND) == BUBBLES_NODE_BOX) {
             if (!bubbles_enters(node, from, inverse_dir, 0.5 * width, vec2(range.x, hit.t)))

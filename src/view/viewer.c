@@ -60,8 +60,8 @@ static void show_busy(void *user, double seconds)
     free(box.pixels);
 }
 
-/* Ends the program while a job runs, which may take seconds; with --frames, only hides the window,
- * since images may have to be written. */
+/* Ends the program without waiting for the running job, which may take seconds. With --frames, only
+ * hides the window, since images may have to be written. */
 static void end_during_job(void *user)
 {
     struct view *v = user;
